@@ -150,7 +150,7 @@ fn spheres_bound_to(trees: &PosedTrees<'_>, plane: &ContactPlane) -> Vec<SphereI
 // How steep a floor is, and which part of the weight presses spheres on it.
 
 /// A floor that leans by no more than this, degrees, is level, as 180 of 204 planes under spheres in published models are.
-const LEVEL_DEGREES: f64 = 1.0;
+const MOST_SLOPE_OF_LEVEL_DEGREES: f64 = 1.0;
 
 /// The tilt of a plane against gravity.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -170,7 +170,7 @@ impl Tilt {
         let in_degrees = plane.orientations.iter().any(Orientation::is_in_degrees);
         let surface = plane.surface.filter(|_| is_up_known && !in_degrees)?;
         Some(match surface.tilt_rad.to_degrees() {
-            degrees if degrees <= LEVEL_DEGREES => Self::Level,
+            degrees if degrees <= MOST_SLOPE_OF_LEVEL_DEGREES => Self::Level,
             degrees if surface.tilt_rad <= STEEPEST_FLOOR_RAD => Self::Slope(degrees),
             degrees => Self::Steep(degrees),
         })
@@ -197,7 +197,7 @@ pub(crate) fn weight_share_at_pose(model: &Model, forces: &[ForceId], pose: &Def
 
 /// Spheres up to this part of the height of a joint tree, from its lowest origin, count as under its feet. The spheres of hands that lean
 /// on a wall are higher.
-const FOOT_HEIGHT: f64 = 0.25;
+const FOOT_HEIGHT_SHARE: f64 = 0.25;
 
 /// The joint trees of a model at its default pose.
 struct PosedTrees<'m> {
@@ -256,7 +256,9 @@ impl<'m> PosedTrees<'m> {
     fn is_low(&self, sphere: SphereId) -> bool {
         let height = self.centre_of_sphere(sphere).map(|centre| centre.dot(self.model.up()));
         let heights = self.body_of(sphere).and_then(|body| self.tree_of_body(body)?.heights_m);
-        height.zip(heights).is_some_and(|(height, [low, high])| height <= low + FOOT_HEIGHT * (high - low))
+        height
+            .zip(heights)
+            .is_some_and(|(height, [low, high])| height <= low + FOOT_HEIGHT_SHARE * (high - low))
     }
 
     /// The vector from the middle of the `spheres` to the centre of mass of their tree, in ground, at the default pose, m.

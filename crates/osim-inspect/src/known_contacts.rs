@@ -15,9 +15,9 @@ use serde::{Deserialize, Serialize};
 use crate::sides::BothSides;
 
 /// Values whose relative difference is at most this are the same.
-const SAME_VALUE: f64 = 1e-6;
+const EXACT_TOLERANCE: f64 = 1e-6;
 /// Values whose relative difference is at most this give the same findings. A radius that differs by 2 % changes other values by up to 6 %.
-const SIMILAR_VALUE: f64 = 0.07;
+const SIMILAR_TOLERANCE: f64 = 0.07;
 
 /// Published contacts that a model has: from [`KnownContacts::find`].
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -181,7 +181,7 @@ struct ComparedNumbers {
 
 impl ComparedNumbers {
     const EXACT: Self = Self {
-        tolerance: SAME_VALUE,
+        tolerance: EXACT_TOLERANCE,
         stiffness: true,
         dissipation: true,
         smoothing: [true; 3],
@@ -192,7 +192,7 @@ impl ComparedNumbers {
     /// finding depends, besides the weight. `None` if it also depends on anything else.
     fn for_finding(code: FindingCode) -> Option<Self> {
         let radii = Self {
-            tolerance: SIMILAR_VALUE,
+            tolerance: SIMILAR_TOLERANCE,
             stiffness: false,
             dissipation: false,
             smoothing: [false; 3],

@@ -128,11 +128,11 @@ fn reach_towards_joint(
 
 /// The ends of the bones of OpenSim's foot along x of their bodies, at factor 1, m: the least and the largest x of `r_foot.vtp`, and the
 /// largest of `r_bofoot.vtp`, in OpenSim's Geometry.
-const HEEL_M: f64 = -0.0098;
-const FOOT_TIP_M: f64 = 0.183817;
-const TOES_TIP_M: f64 = 0.076918;
+const HEEL_X_M: f64 = -0.0098;
+const FOOT_TIP_X_M: f64 = 0.183817;
+const TOES_TIP_X_M: f64 = 0.076918;
 /// Place of the toe joint on the x axis of the foot in OpenSim's models, at factor 1, m.
-const TOES_BEGIN_M: f64 = 0.1788;
+const TOES_BEGIN_X_M: f64 = 0.1788;
 
 /// Factors that OpenSim's bones can have, from a mouse to a giant. The factor 0.001 of meshes in millimetres is not among them.
 const PLAUSIBLE_FACTORS: std::ops::RangeInclusive<f64> = 0.01..=10.0;
@@ -210,7 +210,7 @@ impl BodyBones {
         }
         let mut below = self.anatomy.joints_below(body);
         let toes = below.find(|joint| joint.child.to_lowercase().contains("toe"))?;
-        Some(toes.in_parent_m[0] / TOES_BEGIN_M).filter(|factor| PLAUSIBLE_FACTORS.contains(factor))
+        Some(toes.in_parent_m[0] / TOES_BEGIN_X_M).filter(|factor| PLAUSIBLE_FACTORS.contains(factor))
     }
 
     /// How far `place_m`, in the frame of the calcaneus `body`, is ahead of the ankle, m.
@@ -296,24 +296,26 @@ fn standard_foot(anatomy: &Anatomy, body: &str) -> Option<StandardFoot> {
     let mut next = anatomy.joints_below(body);
     let toes =
         next.find_map(|joint| Some((joint, factors_of_opensim_bone(anatomy, &joint.child, "bofoot")?)));
-    let heel = foot * HEEL_M;
+    let heel = foot * HEEL_X_M;
     Some(match toes {
         Some((joint, [toes, ..])) => {
-            let tip = joint.in_parent_m[0] - joint.in_child_m[0] + toes * TOES_TIP_M;
+            let tip = joint.in_parent_m[0] - joint.in_child_m[0] + toes * TOES_TIP_X_M;
             StandardFoot { heel, tip, longest_tip: tip }
         }
-        None => {
-            StandardFoot { heel, tip: foot * FOOT_TIP_M, longest_tip: foot * (TOES_BEGIN_M + TOES_TIP_M) }
-        }
+        None => StandardFoot {
+            heel,
+            tip: foot * FOOT_TIP_X_M,
+            longest_tip: foot * (TOES_BEGIN_X_M + TOES_TIP_X_M),
+        },
     })
 }
 
 /// Factors whose relative difference is no more than this are equal: a millimetre on a human foot.
-const SAME_SIZE: f64 = 0.005;
+const SAME_SIZE_TOLERANCE: f64 = 0.005;
 
 /// Whether the factors of two bones are equal.
 pub(crate) fn same_size(a: [f64; 3], b: [f64; 3]) -> bool {
-    a.iter().zip(b).all(|(a, b)| (a - b).abs() <= SAME_SIZE * b.abs())
+    a.iter().zip(b).all(|(a, b)| (a - b).abs() <= SAME_SIZE_TOLERANCE * b.abs())
 }
 
 #[cfg(test)]

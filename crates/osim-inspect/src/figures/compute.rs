@@ -160,7 +160,7 @@ fn why_no_count(limbs: &Limbs) -> Option<Phrase> {
 }
 
 /// The loads for which figures are computed, in body weights.
-const BODY_WEIGHTS: [f64; 2] = [1.0, 2.0];
+const LOADS_BW: [f64; 2] = [1.0, 2.0];
 
 /// A limb that carries the body, with its chosen spheres and the numbers from which their figures are computed.
 struct LoadedLimb<'s> {
@@ -185,8 +185,7 @@ impl LoadedLimb<'_> {
 
     /// The figures of each chosen sphere. Equal laws are solved once, because the spheres of a limb are mostly alike.
     fn sphere_figures(&self) -> Vec<SphereFigures> {
-        let level: Vec<LevelLimb> =
-            BODY_WEIGHTS.iter().filter_map(|&weights| self.level_limb(weights)).collect();
+        let level: Vec<LevelLimb> = LOADS_BW.iter().filter_map(|&weights| self.level_limb(weights)).collect();
         let at_own_heights = self.all.as_deref().zip(self.load_at(1.0));
         let at_own_heights =
             at_own_heights.map(|(all, load)| OwnHeightRest::compute(all, load, self.standing));

@@ -52,7 +52,7 @@ impl Deref for FindingWithRemedy {
 }
 
 /// Codes of findings about the depth of spheres, the mildest first. As spheres sink in deeper, the next code replaces the one before.
-const DEPTHS: [FindingCode; 3] =
+const DEPTH_CODES: [FindingCode; 3] =
     [FindingCode::BeyondHertzAtTwo, FindingCode::BeyondHertz, FindingCode::SunkIn];
 
 /// An index of the findings about one state of a model, to look up a finding about another state of the model. Of equal findings it has the
@@ -94,7 +94,8 @@ impl<'f> FindingIndex<'f> {
 
     /// The same finding as `one`; else, if `one` is about depth, the first finding with another code of depth.
     pub fn find_same_or_other_depth(&self, one: &FindingWithRemedy) -> Option<&'f FindingWithRemedy> {
-        let depths = DEPTHS.iter().filter(|code| **code != one.code() && DEPTHS.contains(&one.code()));
+        let depths =
+            DEPTH_CODES.iter().filter(|code| **code != one.code() && DEPTH_CODES.contains(&one.code()));
         let first = || self.findings.get(*depths.filter_map(|code| self.by_code.get(code)).min()?);
         self.find_same(one).or_else(first)
     }

@@ -15,7 +15,7 @@ use osim_requests::{
 use crate::{Figure, InspectOptions, Inspection, SphereFigures};
 
 /// The preset whose contacts are proposed if the contacts of the model make no sense.
-const PRESET: &str = "falisse2022";
+const PRESET_OF_REMEDIES: &str = "falisse2022";
 
 /// Makes the remedies for one model. A remedy is the request that corrects a finding.
 pub(crate) struct Remedies<'m> {
@@ -172,7 +172,7 @@ impl<'m> Remedies<'m> {
     pub(crate) fn transfer_published(&self, stance_limbs: Option<f64>) -> Option<TransferRequest> {
         // A transfer takes the model's own gravity.
         let is_load_known = self.load.gravity.is_none() && self.is_weight_known && self.is_counted;
-        let mut request = is_load_known.then(|| self.transfer(PRESET.into()))??;
+        let mut request = is_load_known.then(|| self.transfer(PRESET_OF_REMEDIES.into()))??;
         if let Some(limbs) = stance_limbs {
             request.counts.stance_limbs = Some(Count::new(limbs).ok()?);
         }

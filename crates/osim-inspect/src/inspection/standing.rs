@@ -14,9 +14,9 @@ const SAME_HEIGHT_M: f64 = 1e-9;
 /// A sphere that is deeper in the floor than this part of its radius is inside the floor.
 const INSIDE_FLOOR_RADII: f64 = 0.5;
 /// A body whose lowest sphere is higher than this, m, is above the floor.
-const ABOVE_FLOOR_M: f64 = 0.020;
+const GAP_ABOVE_FLOOR_M: f64 = 0.020;
 /// A body stands if it is at most this far below the height at which its spheres carry it, in radii of its lowest sphere.
-const STANDS_RADII: f64 = 0.1;
+const STANDING_DEPTH_RADII: f64 = 0.1;
 
 /// The bodies whose equilibrium on the floor is computed. This takes as long as reading the spheres of the bodies.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -184,7 +184,7 @@ impl StandingBody {
     pub fn is_inside_floor(&self) -> bool {
         let Some(lowest) = self.lowest() else { return false };
         let is_deeper =
-            self.as_posed.as_ref().is_none_or(|rest| rest.down_m < -STANDS_RADII * lowest.radius_m);
+            self.as_posed.as_ref().is_none_or(|rest| rest.down_m < -STANDING_DEPTH_RADII * lowest.radius_m);
         is_deeper && self.bottoms.iter().any(Bottom::is_inside)
     }
 
@@ -204,7 +204,7 @@ impl Bottom {
     }
 
     fn is_above(&self) -> bool {
-        self.height_m > ABOVE_FLOOR_M
+        self.height_m > GAP_ABOVE_FLOOR_M
     }
 }
 

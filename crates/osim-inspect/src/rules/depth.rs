@@ -6,7 +6,7 @@ use osim_model::messages::{Input, Phrase, Verb, four_significant, phrase, readab
 use osim_model::{Example, Finding, FindingCode, Repair, Rule, Severity, VerdictOn, same_mass};
 use osim_requests::Request;
 
-use crate::rules::figure_check::{FigureCheck, UP_TO_CENTRE, value_beyond_limit};
+use crate::rules::figure_check::{FigureCheck, UP_TO_CENTRE_RADII, value_beyond_limit};
 use crate::{Figure, FindingWithRemedy, SphereFigures};
 
 pub(super) static SUNK_IN: Rule = Rule {
@@ -28,12 +28,12 @@ pub(super) fn find_sunk_in(check: &FigureCheck<'_>) -> Option<FindingWithRemedy>
 
 /// The x̂ of the sphere with each sphere of the limb at its own height, if the sphere is then in the floor up to its centre.
 fn too_deep_at_own_height(sphere: &SphereFigures) -> Option<f64> {
-    sphere.value(Figure::StandingIndentationModelLaw).filter(|&x| x >= UP_TO_CENTRE)
+    sphere.value(Figure::StandingIndentationModelLaw).filter(|&x| x >= UP_TO_CENTRE_RADII)
 }
 
 fn sunk_in_level(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> {
-    let affected =
-        check.spheres_with(|sphere| sphere.value(Figure::Indentation).filter(|&x| x >= UP_TO_CENTRE))?;
+    let affected = check
+        .spheres_with(|sphere| sphere.value(Figure::Indentation).filter(|&x| x >= UP_TO_CENTRE_RADII))?;
     let x = four_significant(affected.largest);
     let text = format!(
         "too soft: at body weight on {} spheres sink {x} R into the floor (x/R by Hertz)",
@@ -146,7 +146,7 @@ impl ManyLimbs {
             }
             false => finding,
         };
-        match x_hat < UP_TO_CENTRE {
+        match x_hat < UP_TO_CENTRE_RADII {
             // The contacts may be right, because no animal stands on one of four limbs.
             true => {
                 finding.with_advice(self.advice_to_stand_on(carrying)).with_severity(Severity::Warning).into()
@@ -181,7 +181,7 @@ fn advice_for_other_number_of_limbs(carrying: f64) -> Phrase {
 }
 
 /// Contacts whose spheres sink in by less than this, x/R, are too stiff. Published contacts sink in by 0.06 or more.
-const LEAST_INDENTATION: f64 = 1e-3;
+const LEAST_PLAUSIBLE_INDENTATION: f64 = 1e-3;
 
 pub(super) static TOO_STIFF: Rule = Rule {
     code: FindingCode::TooStiff,
@@ -197,10 +197,11 @@ pub(super) static TOO_STIFF: Rule = Rule {
 pub(super) fn find_too_stiff(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> {
     // The smallest of them is the worst.
     let negative = |sphere: &SphereFigures| Some(-sphere.value(Figure::Indentation)?);
-    let affected = check.spheres_with(|sphere| negative(sphere).filter(|x| *x > -LEAST_INDENTATION))?;
+    let affected =
+        check.spheres_with(|sphere| negative(sphere).filter(|x| *x > -LEAST_PLAUSIBLE_INDENTATION))?;
     let x = four_significant(-affected.largest);
     let text = format!(
-        "too stiff: at body weight on {} spheres sink {x} R into the floor (x/R by Hertz), expected at least {LEAST_INDENTATION}",
+        "too stiff: at body weight on {} spheres sink {x} R into the floor (x/R by Hertz), expected at least {LEAST_PLAUSIBLE_INDENTATION}",
         carrying_limbs(check)
     );
     Some(check.finding_at_sphere(&TOO_STIFF, &text, &affected).into())
@@ -221,7 +222,7 @@ pub(super) static BEYOND_HERTZ: Rule = Rule {
 
 pub(super) fn find_beyond_hertz(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> {
     let affected = check.spheres_with(|sphere| {
-        value_beyond_limit(sphere, Figure::Indentation).filter(|&x| x < UP_TO_CENTRE)
+        value_beyond_limit(sphere, Figure::Indentation).filter(|&x| x < UP_TO_CENTRE_RADII)
     })?;
     let (x, limit) = (four_significant(affected.largest), INDENTATION.value);
     let text = format!(

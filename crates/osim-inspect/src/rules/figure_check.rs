@@ -6,7 +6,7 @@ use crate::findings::Remedies;
 use crate::{Figure, InspectedForce, Inspection, SphereFigures};
 
 /// x̂ at which a sphere is in the floor up to its centre.
-pub(super) const UP_TO_CENTRE: f64 = 1.0;
+pub(super) const UP_TO_CENTRE_RADII: f64 = 1.0;
 
 /// The numbers of a model's spheres, which rules compare with limits, and the maker of remedies for the model.
 pub(crate) struct FigureCheck<'l> {

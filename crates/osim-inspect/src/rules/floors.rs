@@ -171,10 +171,10 @@ pub(crate) static GRAVITY_TOO_LARGE: Rule = Rule {
 /// A gravity above this, m/s², probably is in another unit.
 const LARGEST_GRAVITY: f64 = 100.0;
 /// Other units in which gravity may be: how many millimetres and centimetres are in a metre.
-const UNITS: [f64; 2] = [1000.0, 100.0];
-/// If gravity divided by one of the [`UNITS`] is in this range, m/s², gravity is in that unit. The range is half to twice the Earth's
-/// gravity.
-const LIKE_ON_EARTH: std::ops::RangeInclusive<f64> = 5.0..=20.0;
+const UNIT_FACTORS: [f64; 2] = [1000.0, 100.0];
+/// If gravity divided by one of the [`UNIT_FACTORS`] is in this range, m/s², gravity is in that unit. The range is half to twice the
+/// Earth's gravity.
+const GRAVITY_LIKE_ON_EARTH: std::ops::RangeInclusive<f64> = 5.0..=20.0;
 
 pub(crate) fn find_too_large(model: &Model) -> Option<Finding> {
     let (gravity, size) = (model.gravity_m_s2?, model.gravity().filter(|&size| size > LARGEST_GRAVITY)?);
@@ -183,7 +183,7 @@ pub(crate) fn find_too_large(model: &Model) -> Option<Finding> {
         gravity.map(readable).join(" "),
         readable(LARGEST_GRAVITY)
     );
-    if let Some(unit) = UNITS.into_iter().find(|unit| LIKE_ON_EARTH.contains(&(size / unit))) {
+    if let Some(unit) = UNIT_FACTORS.into_iter().find(|unit| GRAVITY_LIKE_ON_EARTH.contains(&(size / unit))) {
         let metres = gravity.map(|value| readable(value / unit)).join(" ");
         text.push_str(&format!("; write <gravity>{metres}</gravity>"));
     }
@@ -191,9 +191,9 @@ pub(crate) fn find_too_large(model: &Model) -> Option<Finding> {
 }
 
 /// Gravity on planets and moons on which a body can stand, m/s²: from a small moon to more than any solid planet.
-const GRAVITY_OF_PLACES: std::ops::RangeInclusive<f64> = 0.1..=20.0;
+const KNOWN_GRAVITY: std::ops::RangeInclusive<f64> = 0.1..=20.0;
 /// A gravity below this, m/s², is not the Earth's.
-const LEAST_ON_EARTH: f64 = 9.0;
+const LEAST_GRAVITY_ON_EARTH: f64 = 9.0;
 
 pub(crate) static ODD_GRAVITY: Rule = Rule {
     code: FindingCode::OddGravity,
@@ -211,12 +211,12 @@ pub(crate) fn find_odd_gravity(model: &Model, floors: &Floors) -> Option<Finding
     let size = model.gravity().filter(|size| *size > 0.0 && *size <= LARGEST_GRAVITY && floors.are_any())?;
     let is_noted =
         model.note.as_ref().and_then(|note| note.gravity_m_s2).is_some_and(|noted| same_gravity(noted, size));
-    if is_noted || (LEAST_ON_EARTH..=*GRAVITY_OF_PLACES.end()).contains(&size) {
+    if is_noted || (LEAST_GRAVITY_ON_EARTH..=*KNOWN_GRAVITY.end()).contains(&size) {
         return None;
     }
     let text = format!("gravity is {} m/s2, that of the Earth 9.81 m/s2", readable(size));
     let finding = Finding::new(&ODD_GRAVITY, text).with_line(model.gravity_line());
-    Some(if GRAVITY_OF_PLACES.contains(&size) { finding.with_severity(Severity::Remark) } else { finding })
+    Some(if KNOWN_GRAVITY.contains(&size) { finding.with_severity(Severity::Remark) } else { finding })
 }
 
 pub(crate) static GRAVITY_NOT_DOWN: Rule = Rule {

@@ -363,10 +363,10 @@ fn terrain_spheres(model: &Model) -> Option<Finding> {
         1 => {
             format!("{} is on ground: it is scenery, so it is not counted and not changed", first.path)
         }
-        2 => format!("{} and one more sphere are on ground: {SCENERY}", first.path),
-        count => format!("{} and {} more spheres are on ground: {SCENERY}", first.path, count - 1),
+        2 => format!("{} and one more sphere are on ground: {SCENERY_STAYS}", first.path),
+        count => format!("{} and {} more spheres are on ground: {SCENERY_STAYS}", first.path, count - 1),
     };
     about_spheres(&TERRAIN, text, fixed.iter().copied())
 }
 
-const SCENERY: &str = "they are scenery, so they are not counted and not changed";
+const SCENERY_STAYS: &str = "they are scenery, so they are not counted and not changed";

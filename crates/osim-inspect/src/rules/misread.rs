@@ -55,23 +55,27 @@ use TextForm::{Flag, Numbers, OldFlag, OldNumbers};
 /// Properties of one form: their tags, the form of the text, and the default in OpenSim. If there is no default, OpenSim refuses the model.
 type WrittenProperties = (&'static [&'static str], TextForm, Option<&'static str>);
 
-const ZERO: Option<&str> = Some("0 0 0");
-const OF_GEOMETRY: &[WrittenProperties] = &[(&["location", "orientation"], Numbers(3), ZERO)];
-const OF_FRAME: &[WrittenProperties] = &[(&["translation", "orientation"], Numbers(3), ZERO)];
-const OF_JOINT: &[WrittenProperties] = &[
+const ZERO_VECTOR: Option<&str> = Some("0 0 0");
+const GEOMETRY_TEXTS: &[WrittenProperties] = &[(&["location", "orientation"], Numbers(3), ZERO_VECTOR)];
+const FRAME_TEXTS: &[WrittenProperties] = &[(&["translation", "orientation"], Numbers(3), ZERO_VECTOR)];
+const JOINT_TEXTS: &[WrittenProperties] = &[
     // Documents before version 4 have the frames of a joint in the joint itself.
     (&["location_in_parent", "orientation_in_parent", "location", "orientation"], OldNumbers(Some(3)), None),
     (&["reverse"], Flag, Some("false")),
     (&["radii_x_y_z"], Numbers(3), None),
 ];
-const OF_CURVE: &[WrittenProperties] = &[(&["x", "y"], OldNumbers(None), None)];
-const OF_CONSTRAINT: &[WrittenProperties] = &[
+const CURVE_TEXTS: &[WrittenProperties] = &[(&["x", "y"], OldNumbers(None), None)];
+const CONSTRAINT_TEXTS: &[WrittenProperties] = &[
     (&["isEnforced"], Flag, Some("true")),
     (&["isDisabled"], OldFlag, Some("false")),
     (&["scale_factor"], Numbers(1), Some("1")),
     (&["constant_distance"], Numbers(1), None),
-    (&["location_body_1", "location_body_2", "orientation_body_1", "orientation_body_2"], Numbers(3), ZERO),
-    (&["line_direction_vec", "point_on_line", "point_on_follower"], Numbers(3), ZERO),
+    (
+        &["location_body_1", "location_body_2", "orientation_body_1", "orientation_body_2"],
+        Numbers(3),
+        ZERO_VECTOR,
+    ),
+    (&["line_direction_vec", "point_on_line", "point_on_follower"], Numbers(3), ZERO_VECTOR),
 ];
 
 /// The properties of `class` on which a pose, a mass or a contact force depends, without the properties of contacts that are a [`Value`].
@@ -79,7 +83,7 @@ fn written_properties(class: &str) -> &'static [WrittenProperties] {
     match class {
         "Model" => &[(&["gravity"], Numbers(3), Some("0 -9.80665 0"))],
         "Body" => &[
-            (&["mass_center"], Numbers(3), ZERO),
+            (&["mass_center"], Numbers(3), ZERO_VECTOR),
             (&["inertia"], Numbers(6), Some("0 0 0 0 0 0")),
             (
                 &["inertia_xx", "inertia_yy", "inertia_zz", "inertia_xy", "inertia_xz", "inertia_yz"],
@@ -98,10 +102,10 @@ fn written_properties(class: &str) -> &'static [WrittenProperties] {
         "MultiplierFunction" => &[(&["scale"], Numbers(1), None)],
         "LinearFunction" => &[(&["coefficients"], OldNumbers(Some(2)), None)],
         "PolynomialFunction" => &[(&["coefficients"], OldNumbers(None), None)],
-        "SimmSpline" | "NaturalCubicSpline" | "PiecewiseLinearFunction" | "GCVSpline" => OF_CURVE,
-        "ContactSphere" => &[(&["location"], Numbers(3), ZERO)],
-        "ContactEllipsoid" => &[(&["location", "orientation", "radii"], Numbers(3), ZERO)],
-        "ContactHalfSpace" => OF_GEOMETRY,
+        "SimmSpline" | "NaturalCubicSpline" | "PiecewiseLinearFunction" | "GCVSpline" => CURVE_TEXTS,
+        "ContactSphere" => &[(&["location"], Numbers(3), ZERO_VECTOR)],
+        "ContactEllipsoid" => &[(&["location", "orientation", "radii"], Numbers(3), ZERO_VECTOR)],
+        "ContactHalfSpace" => GEOMETRY_TEXTS,
         "HuntCrossleyForce" => {
             &[(&["appliesForce"], Flag, Some("true")), (&["isDisabled"], OldFlag, Some("false"))]
         }
@@ -111,12 +115,12 @@ fn written_properties(class: &str) -> &'static [WrittenProperties] {
             (
                 &["contact_sphere_location", "contact_half_space_location", "contact_half_space_orientation"],
                 Numbers(3),
-                ZERO,
+                ZERO_VECTOR,
             ),
         ],
-        _ if class.ends_with("Frame") => OF_FRAME,
-        _ if class.ends_with("Joint") => OF_JOINT,
-        _ if class.ends_with("Constraint") => OF_CONSTRAINT,
+        _ if class.ends_with("Frame") => FRAME_TEXTS,
+        _ if class.ends_with("Joint") => JOINT_TEXTS,
+        _ if class.ends_with("Constraint") => CONSTRAINT_TEXTS,
         _ => &[],
     }
 }
@@ -245,15 +249,15 @@ fn unequal_counts(document: &Document, curve: ElementId, tag: &str, text: &str) 
 }
 
 /// The largest number of letters of a text that a message shows.
-const MOST_LETTERS: usize = 60;
+const MOST_LETTERS_SHOWN: usize = 60;
 
 /// A text on one line. Letters that are not ASCII are shown by their codes, because a blank that is not ASCII is none for OpenSim.
 fn shown_text(text: &str) -> String {
     let text: String =
         text.chars().map(|letter| if letter.is_ascii_whitespace() { ' ' } else { letter }).collect();
     let text = if text.is_ascii() { text } else { text.escape_default().to_string() };
-    match text.get(..MOST_LETTERS) {
-        Some(start) if text.len() > MOST_LETTERS => format!("{start}..."),
+    match text.get(..MOST_LETTERS_SHOWN) {
+        Some(start) if text.len() > MOST_LETTERS_SHOWN => format!("{start}..."),
         _ => text,
     }
 }

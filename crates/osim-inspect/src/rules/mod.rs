@@ -53,7 +53,7 @@ static MODEL_RULES: Table<ModelRule> = &[
     (
         &[
             &unread::BODY_WITHOUT_JOINT,
-            &unread::OTHER_VERSION,
+            &unread::VERSION_AGAINST_FORM,
             &unread::MISPLACED_OBJECT,
             &unread::IGNORED_CONTACTS,
             &unread::UNKNOWN_NAME,

@@ -12,7 +12,7 @@ use crate::findings::Remedies;
 use crate::rules::spheres::and_others;
 
 /// The largest inertia, kg m², that a body without mass may have. Programs write tiny inertias for frames that weigh nothing.
-const INERTIA_OF_FRAME: f64 = 1e-6;
+const INERTIA_OF_MASSLESS_FRAME: f64 = 1e-6;
 
 pub(super) static MASSLESS_BODY: Rule = Rule {
     code: FindingCode::MasslessBody,
@@ -34,7 +34,7 @@ pub(super) fn find_massless_body(model: &Model) -> Vec<Finding> {
     let shapes = model.body_shapes();
     let has_inertia = |name: &str| {
         let trace = shapes.get(name).and_then(|shape| shape.inertia_trace);
-        trace.is_some_and(|trace| trace > INERTIA_OF_FRAME)
+        trace.is_some_and(|trace| trace > INERTIA_OF_MASSLESS_FRAME)
     };
     let massless: Vec<&Body> = model
         .bodies()

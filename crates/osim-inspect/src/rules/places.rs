@@ -308,7 +308,7 @@ fn misplaced_by_reach(model: &Model, far: &[Reach]) -> Option<Finding> {
 
 /// A sphere that is ahead of the ankle by more than this part of the limb's longest bone does not serve as a heel. The heel of D'Hondt et
 /// al. is 0.027 ahead.
-const AHEAD_OF_ANKLE: f64 = 0.04;
+const LEAST_AHEAD_OF_ANKLE: f64 = 0.04;
 
 /// The remark that all spheres of a calcaneus are ahead of the ankle. It is about the foot whose rearmost sphere is farthest ahead.
 pub(super) fn find_no_heel(sides: &BothSides<'_>) -> Option<Finding> {
@@ -322,7 +322,7 @@ pub(super) fn find_no_heel(sides: &BothSides<'_>) -> Option<Finding> {
         }
     }
     let is_ahead = |body: &str, ahead_m: f64| {
-        sides.longest_bone_of_limb_m(body).is_some_and(|bone_m| ahead_m > AHEAD_OF_ANKLE * bone_m)
+        sides.longest_bone_of_limb_m(body).is_some_and(|bone_m| ahead_m > LEAST_AHEAD_OF_ANKLE * bone_m)
     };
     let without_heel = rearmost
         .into_iter()

@@ -158,7 +158,7 @@ fn can_be_set(values: &[(Property, f64)]) -> bool {
         && !values.contains(&(Property::ConstantContactForce, 0.0))
 }
 
-fn radii(model: &Model, force: &Force) -> Vec<f64> {
+fn radii_of_force(model: &Model, force: &Force) -> Vec<f64> {
     let spheres = force.spheres().into_iter().filter_map(|id| model.sphere(id));
     spheres.map(|sphere| sphere.radius.number).collect()
 }
@@ -174,7 +174,7 @@ fn uneven_values(
     let pairs = left_set.values.iter().zip(&right_set.values).filter(|(l, r)| l.number != r.number);
     let mut uneven: Vec<UnevenValue> =
         pairs.map(|(l, r)| UnevenValue { property: r.property, left: l.number, right: r.number }).collect();
-    let (left_radii, right_radii) = (radii(model, left), radii(model, right));
+    let (left_radii, right_radii) = (radii_of_force(model, left), radii_of_force(model, right));
     if left_radii != right_radii {
         // On bones of another size, the radius of the other side and what follows from it would be wrong.
         if sides.bones_differ(left, right) {

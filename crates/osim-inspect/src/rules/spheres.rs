@@ -35,18 +35,18 @@ pub(super) fn and_others(count: usize, one: &str, several: &str) -> String {
 
 /// A sphere is too far from the nearest joint of its body if the distance exceeds this part of the limb's longest bone. Published spheres
 /// are at most 0.353 away.
-const PLACE_OF_BONE: f64 = 0.6;
-/// Like [`PLACE_OF_BONE`], for a body without a side. This only finds another unit, because such a body, for example the last link of a
+const FAR_OVER_BONE: f64 = 0.6;
+/// Like [`FAR_OVER_BONE`], for a body without a side. This only finds another unit, because such a body, for example the last link of a
 /// pendulum, can be long.
-const PLACE_OF_BONE_WITHOUT_SIDE: f64 = 10.0;
+const FAR_WITHOUT_SIDE: f64 = 10.0;
 /// A sphere within this many radii of gyration of the centre of mass of its body is not too far. Published spheres are at most 2.7 away.
-const PLACE_OF_GYRATION: f64 = 4.0;
-/// Like [`PLACE_OF_BONE`], for the distance sideways. In the 13 models of the corpus with two sides it is at most 0.149 (the outer toes of
+const NEAR_IN_GYRATION: f64 = 4.0;
+/// Like [`FAR_OVER_BONE`], for the distance sideways. In the 13 models of the corpus with two sides it is at most 0.149 (the outer toes of
 /// Falisse et al.), because a foot is longer than wide.
-const PLACE_OF_BONE_SIDEWAYS: f64 = 0.25;
-/// Like [`PLACE_OF_GYRATION`], for the distance sideways. In the corpus it is at most 2.8, for spheres at 0.149 of the bone; a foot without
+const FAR_SIDEWAYS_OVER_BONE: f64 = 0.25;
+/// Like [`NEAR_IN_GYRATION`], for the distance sideways. In the corpus it is at most 2.8, for spheres at 0.149 of the bone; a foot without
 /// a limb has spheres at 0.38 of its own bone and less than 2 radii of gyration.
-const PLACE_OF_GYRATION_SIDEWAYS: f64 = 2.0;
+const NEAR_SIDEWAYS_IN_GYRATION: f64 = 2.0;
 
 pub(super) static ODD_PLACE: Rule = Rule {
     code: FindingCode::OddPlace,
@@ -100,7 +100,7 @@ struct FarSphere<'m> {
 impl<'m> BodyExtent<'m> {
     fn of(body: &str, shape: &'m BodyShape, sides: &BothSides<'_>) -> Option<Self> {
         let has_side = Side::of_name(body).is_some();
-        let limit = if has_side { PLACE_OF_BONE } else { PLACE_OF_BONE_WITHOUT_SIDE };
+        let limit = if has_side { FAR_OVER_BONE } else { FAR_WITHOUT_SIDE };
         let sideways = sides.sideways_axis(body).filter(|_| has_side);
         Some(Self { shape, bone_m: sides.longest_bone_of_limb_m(body)?, limit, sideways })
     }
@@ -116,13 +116,13 @@ impl<'m> BodyExtent<'m> {
         };
         let in_all_axes = far(self.nearest_joint_m(|joint_m| joint_m.distance(place_m)), self.limit, false);
         let from_centre_m = self.shape.centre_m.distance(place_m);
-        if in_all_axes.is_too_far() && !self.is_near(from_centre_m, PLACE_OF_GYRATION) {
+        if in_all_axes.is_too_far() && !self.is_near(from_centre_m, NEAR_IN_GYRATION) {
             return Some(in_all_axes);
         }
         let axis = self.sideways?;
         let apart = |other: DVec3| (other[axis] - place_m[axis]).abs();
-        let sideways = far(self.nearest_joint_m(apart), PLACE_OF_BONE_SIDEWAYS, true);
-        let is_near = self.is_near(apart(self.shape.centre_m), PLACE_OF_GYRATION_SIDEWAYS);
+        let sideways = far(self.nearest_joint_m(apart), FAR_SIDEWAYS_OVER_BONE, true);
+        let is_near = self.is_near(apart(self.shape.centre_m), NEAR_SIDEWAYS_IN_GYRATION);
         (sideways.is_too_far() && !is_near).then_some(sideways)
     }
 
@@ -353,10 +353,10 @@ pub(super) fn find_heavy_foot(sides: &BothSides<'_>) -> Option<Finding> {
 
 /// Spheres of one body are crowded if they extend over less than this part of the limb's longest bone. In the corpus they extend over 0.077
 /// (the forefoot of D'Hondt et al.) to 0.9.
-const CROWD_OF_BONE: f64 = 0.02;
+const CROWD_DISTANCE_OVER_BONE: f64 = 0.02;
 /// Spheres of one body are only crowded if they also extend over less than this part of the smallest radius. In the corpus two spheres are
 /// at least 1.36 radii apart.
-const CROWD_OF_RADIUS: f64 = 0.5;
+const CROWD_DISTANCE_OVER_RADIUS: f64 = 0.5;
 
 pub(super) static CROWDED_SPHERES: Rule = Rule {
     code: FindingCode::CrowdedSpheres,
@@ -412,8 +412,8 @@ fn find_crowd<'m>(spheres: &[(&'m Sphere, DVec3)], bone_m: f64) -> Option<Crowd<
         extent_m: extent_m(spheres),
         bone_m,
     };
-    let is_crowd =
-        crowd.part_of_bone() < CROWD_OF_BONE && crowd.extent_m < CROWD_OF_RADIUS * smallest_radius_m;
+    let is_crowd = crowd.part_of_bone() < CROWD_DISTANCE_OVER_BONE
+        && crowd.extent_m < CROWD_DISTANCE_OVER_RADIUS * smallest_radius_m;
     (places.len() > 1 && is_crowd).then_some(crowd)
 }
 
@@ -431,7 +431,7 @@ fn describe_crowd(worst: &Crowd<'_>, count: usize) -> Option<String> {
     };
     let first = worst.spheres.first()?;
     Some(format!(
-        "the {} spheres of {} are within {} m, {} of the limb's longest bone ({} m), expected at least {CROWD_OF_BONE}{more}",
+        "the {} spheres of {} are within {} m, {} of the limb's longest bone ({} m), expected at least {CROWD_DISTANCE_OVER_BONE}{more}",
         worst.spheres.len(),
         shown(first.body.as_deref().unwrap_or_default()),
         three_significant(worst.extent_m),

@@ -35,9 +35,9 @@ fn not_on_floor_finding(body: &StandingBody, is_one_of_several: bool) -> Option<
 }
 
 /// A height difference of bottoms above this, in the radius of the lowest sphere, is a warning.
-const WARNING_RADII: f64 = 0.5;
+const WARNING_DIFFERENCE_RADII: f64 = 0.5;
 /// Tolerance for rounding errors of heights.
-const ROUNDING: f64 = 1e-9;
+const ROUNDING_OF_HEIGHTS: f64 = 1e-9;
 
 pub(super) static UNEVEN_BOTTOMS: Rule = Rule {
     code: FindingCode::UnevenBottoms,
@@ -81,12 +81,12 @@ impl<'i> UnevenLimb<'i> {
     }
 
     fn differs_by_more_than(&self, radii: f64) -> bool {
-        self.difference_radii > radii + ROUNDING
+        self.difference_radii > radii + ROUNDING_OF_HEIGHTS
     }
 
     /// Whether the difference is a warning. It is not a warning if the foot leans, because then the difference follows from the pose.
     fn is_warning(&self) -> bool {
-        self.differs_by_more_than(WARNING_RADII) && self.tilt_rad <= MOST_LEAN_RAD
+        self.differs_by_more_than(WARNING_DIFFERENCE_RADII) && self.tilt_rad <= MOST_LEAN_RAD
     }
 
     fn of(bottoms: &HashMap<&str, &'i Bottom>, limb: &'i LimbFigures) -> Option<Self> {
@@ -135,7 +135,7 @@ impl<'i> UnevenLimb<'i> {
 }
 
 /// A height difference of bottoms above this, in the radius of the lowest sphere, is a remark.
-const REMARK_RADII: f64 = 0.3;
+const REMARK_DIFFERENCE_RADII: f64 = 0.3;
 
 pub(super) static UNLEVEL_FOOT: Rule = Rule {
     code: FindingCode::UnlevelFoot,
@@ -151,6 +151,6 @@ pub(super) static UNLEVEL_FOOT: Rule = Rule {
 /// Finds the limb whose bottoms differ most in height, unless the difference is a warning.
 pub(super) fn find_unlevel_foot(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> {
     let worst = UnevenLimb::worst(check)
-        .filter(|worst| worst.differs_by_more_than(REMARK_RADII) && !worst.is_warning())?;
+        .filter(|worst| worst.differs_by_more_than(REMARK_DIFFERENCE_RADII) && !worst.is_warning())?;
     Some(worst.finding(&UNLEVEL_FOOT).into())
 }

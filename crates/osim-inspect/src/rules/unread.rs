@@ -15,7 +15,7 @@ use crate::rules::spheres::and_others;
 pub(super) fn find_unread(model: &Model) -> Vec<Finding> {
     let rules = [
         find_body_without_joint,
-        find_other_version,
+        find_version_against_form,
         find_misplaced_objects,
         find_ignored_contacts,
         find_unknown_names,
@@ -37,7 +37,7 @@ pub(super) static BODY_WITHOUT_JOINT: Rule = Rule {
 /// One finding for all bodies without a joint. Documents in the form of another version are left out.
 fn find_body_without_joint(model: &Model) -> Vec<Finding> {
     let (components, bodies) = (model.components(), model.skeleton().bodies_without_joint());
-    let Some(&first) = bodies.first().filter(|_| find_other_version(model).is_empty()) else {
+    let Some(&first) = bodies.first().filter(|_| find_version_against_form(model).is_empty()) else {
         return Vec::new();
     };
     let path = components.tree.path(first);
@@ -46,7 +46,7 @@ fn find_body_without_joint(model: &Model) -> Vec<Finding> {
     vec![Finding::at(&BODY_WITHOUT_JOINT, components.line(first), text).with_place(&path)]
 }
 
-pub(super) static OTHER_VERSION: Rule = Rule {
+pub(super) static VERSION_AGAINST_FORM: Rule = Rule {
     code: FindingCode::OtherVersion,
     severity: Severity::Error,
     verdict: None,
@@ -62,9 +62,9 @@ pub(super) static OTHER_VERSION: Rule = Rule {
 };
 
 /// The first version whose joints are in a JointSet.
-const FIRST_WITH_JOINT_SET: u32 = 30505;
+const FIRST_VERSION_WITH_JOINT_SET: u32 = 30505;
 
-fn find_other_version(model: &Model) -> Vec<Finding> {
+fn find_version_against_form(model: &Model) -> Vec<Finding> {
     let document = model.document();
     if !document.is_model() {
         return Vec::new();
@@ -75,7 +75,7 @@ fn find_other_version(model: &Model) -> Vec<Finding> {
         objects.into_iter().flat_map(|objects| tree.children(objects))
     };
     let has_joint = |body: &ElementId| tree.child(*body, "Joint").is_some();
-    let (form, joint) = match version < FIRST_WITH_JOINT_SET {
+    let (form, joint) = match version < FIRST_VERSION_WITH_JOINT_SET {
         true => ("its joints are in a JointSet, as in documents from 30505 on", members("JointSet").next()),
         false => (
             "its joints are inside of bodies, as in documents up to 30504",
@@ -84,7 +84,7 @@ fn find_other_version(model: &Model) -> Vec<Finding> {
     };
     let finding = |joint| {
         let line = document.line(tree.span(joint).start);
-        Finding::at(&OTHER_VERSION, line, format!("the document says Version {version}, and {form}"))
+        Finding::at(&VERSION_AGAINST_FORM, line, format!("the document says Version {version}, and {form}"))
     };
     joint.map(finding).into_iter().collect()
 }
@@ -222,7 +222,7 @@ pub(super) static UNKNOWN_NAME: Rule = Rule {
 static FORCE_CLASSES: [&str; 3] =
     [ForceKind::HuntCrossley.as_str(), ForceKind::SmoothSphereHalfSpace.as_str(), "ElasticFoundationForce"];
 /// Classes of early versions of Moco that OpenSim does not have, with the classes that took their place.
-const OLD_CLASSES: [(&str, &str); 1] = [("AckermannVanDenBogert2010Force", "SmoothSphereHalfSpaceForce")];
+const RENAMED_CLASSES: [(&str, &str); 1] = [("AckermannVanDenBogert2010Force", "SmoothSphereHalfSpaceForce")];
 /// Most wrong letters in a name that is nearly one of OpenSim's.
 const MOST_WRONG_LETTERS: usize = 2;
 
@@ -307,7 +307,7 @@ pub(super) fn find_unknown_children(
 
 /// The properties of contacts, and of the sets around them, directly inside of `id`; `None` if `id` is not one of these.
 pub(super) fn known_children(document: &Document, id: ElementId) -> Option<&'static [&'static str]> {
-    const PARAMETER_SET: &str = "HuntCrossleyForce::ContactParametersSet";
+    const PARAMETER_SET_TAG: &str = "HuntCrossleyForce::ContactParametersSet";
     let tree = document.tree();
     let classes = [
         Class::SmoothSphereHalfSpaceForce,
@@ -317,13 +317,15 @@ pub(super) fn known_children(document: &Document, id: ElementId) -> Option<&'sta
     ];
     Some(match tree.name(id) {
         "Model" => &["ForceSet", "ContactGeometrySet", "BodySet", "JointSet", "Ground", "ground"],
-        "ForceSet" | "ContactGeometrySet" | PARAMETER_SET => &["objects"],
-        "objects" if tree.name(tree.parent(id)?) == PARAMETER_SET => {
+        "ForceSet" | "ContactGeometrySet" | PARAMETER_SET_TAG => &["objects"],
+        "objects" if tree.name(tree.parent(id)?) == PARAMETER_SET_TAG => {
             &["HuntCrossleyForce::ContactParameters"]
         }
         "objects" | "components" => &[],
-        "HuntCrossleyForce" => &["appliesForce", "contact_parameters", PARAMETER_SET, "transition_velocity"],
-        "contact_parameters" => &[PARAMETER_SET],
+        "HuntCrossleyForce" => {
+            &["appliesForce", "contact_parameters", PARAMETER_SET_TAG, "transition_velocity"]
+        }
+        "contact_parameters" => &[PARAMETER_SET_TAG],
         tag => classes.into_iter().find(|class| class.tag() == tag)?.element_order(),
     })
 }
@@ -333,7 +335,7 @@ fn likely_name(name: &str, known: &[&'static str]) -> Option<&'static str> {
     if known.contains(&name) || name.len() <= 2 * MOST_WRONG_LETTERS {
         return None;
     }
-    let old = OLD_CLASSES.iter().find(|(old, _)| *old == name).map(|(_, new)| *new);
+    let old = RENAMED_CLASSES.iter().find(|(old, _)| *old == name).map(|(_, new)| *new);
     // Most names are told apart by which letters they have, in upper or lower case: one wrong letter changes at most two of these bits.
     let letters = |text: &str| text.chars().fold(0_u32, |bits, letter| bits | 1 << (u32::from(letter) % 32));
     let is_alike = |known: &&&str| {

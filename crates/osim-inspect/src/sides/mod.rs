@@ -168,7 +168,7 @@ fn pair_sets<'m>(pairs: &[SpherePair<'m>], sets_by_sphere: &SetsBySphere<'m>) ->
 /// A relative difference of radii up to this is small. Radii of published models differ by up to 5.7 % between the sides.
 const SMALL_RADIUS_DIFFERENCE: f64 = 0.1;
 /// A ratio of radii follows a ratio of bones if the two ratios differ by at most this, relatively.
-const FOLLOWS_BONES: f64 = 0.01;
+const FOLLOWS_BONES_TOLERANCE: f64 = 0.01;
 /// A ratio of transition velocities up to this is small. The velocities differ by 5 % in one published model, and by 200 times in models
 /// with a typing mistake.
 const SMALL_VELOCITY_RATIO: f64 = 1.2;
@@ -329,7 +329,7 @@ fn radius_difference(
     let bone_ratios = bones.ratios(pair.left.body, pair.right.body);
     let from_bones =
         bone_ratios.map(|[x, y, z]| distance_from_nearest(ratio, &[libm::cbrt(x * y * z), x, y, z]));
-    if from_bones.is_some_and(|apart| apart <= FOLLOWS_BONES) {
+    if from_bones.is_some_and(|apart| apart <= FOLLOWS_BONES_TOLERANCE) {
         return None;
     }
     let is_small = from_bones.unwrap_or(f64::INFINITY).min(distance_from_nearest(ratio, &[1.0]))
