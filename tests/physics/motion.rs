@@ -186,6 +186,30 @@ fn a_plate_without_a_foot_counts_only_in_the_total() {
     );
 }
 
+/// A plate that measures only noise is left out: each foot keeps the plate that is nearest to it.
+#[test]
+fn an_idle_plate_does_not_make_feet_unknown() {
+    let dir = TestDir::with(&FILES_OF_RECORDING);
+    let idle = |row: usize, line: &str| match row {
+        0 => format!("{line}\tground_force_3_vx\tground_force_3_vy\tground_force_3_vz"),
+        _ => format!("{line}\t0\t{}\t0", 8 + row % 11),
+    };
+    let text = dir.text("plates.sto").replace("_r_", "_1_").replace("_l_", "_2_");
+    let (head, rows) = text.split_once("endheader\n").unwrap();
+    let with_idle: Vec<String> = rows.lines().enumerate().map(|(row, line)| idle(row, line)).collect();
+    dir.write("two.sto", &text);
+    dir.write("three.sto", format!("{head}endheader\n{}\n", with_idle.join("\n")));
+    let motion = |plates: &str| {
+        let call = format!("motion walker.osim walk.mot --plates {plates} --format json");
+        let mut motion = json_object(&dir.run(&call).succeeded());
+        motion["motion"].take();
+        motion
+    };
+    let two = motion("two.sto");
+    assert!(two["feet"][0]["comparison"]["cop_rms_m"].is_number(), "{two}");
+    assert_eq!(motion("three.sto"), two);
+}
+
 /// A step beside the plates (7.6 body weights in the model, no force in the plates) does not count as an error of the contacts.
 #[test]
 fn a_step_beside_the_plates_is_not_compared() {

@@ -48,7 +48,8 @@ impl Comparison {
         for (frame, (modelled, plate)) in model.iter().zip(measured).enumerate() {
             let Some(plate) = plate.as_ref().filter(|_| counts(frame)) else { continue };
             frames += 1;
-            let (modelled_n, plate_n) = (modelled.force_n.dot(on.normal), plate.force_n.dot(on.normal));
+            let (modelled_n, plate_n) =
+                (modelled.force_n.dot(on.normal) + 0.0, plate.force_n.dot(on.normal) + 0.0);
             let normal = modelled_n - plate_n;
             along += normal * normal;
             across += ((modelled.force_n - plate.force_n).length_squared() - normal * normal).max(0.0);

@@ -16,6 +16,8 @@ pub enum AssignedBy {
     /// The distance to the centre of pressure: in each frame the nearest foot, among those that may be on the plate.
     Nearest,
     OnlyFoot,
+    /// The plate measures nothing, so that its foot does not matter.
+    Idle,
 }
 
 /// The foot that a plate measured.
@@ -51,7 +53,13 @@ impl MeasuredForces {
     /// Assigns `plates` to `feet` and sums the forces. The nearest foot is only used in frames with a force above 5 % of
     /// `weight_n`.
     pub fn of(plates: &[Plate], feet: &[Foot], states: &ContactStates, weight_n: f64) -> Self {
-        let uses: Vec<PlateAssignment> = plates.iter().map(|plate| assign_plate(plate, feet)).collect();
+        // If all forces are as small, they are in kN.
+        let any_is_loaded = plates.iter().any(|plate| !plate.is_idle(&states.time_s));
+        let assign = |plate: &Plate| match any_is_loaded && plate.is_idle(&states.time_s) {
+            true => PlateAssignment { plate: plate.name.clone(), foot: None, by: Some(AssignedBy::Idle) },
+            false => assign_plate(plate, feet),
+        };
+        let uses: Vec<PlateAssignment> = plates.iter().map(assign).collect();
         let frames = states.frames();
         let mut measured = Self {
             feet: vec![vec![Some(Wrench::default()); frames]; feet.len()],
@@ -61,6 +69,9 @@ impl MeasuredForces {
             uses,
         };
         for (plate, usage) in plates.iter().zip(measured.uses.clone()) {
+            if usage.by == Some(AssignedBy::Idle) {
+                continue;
+            }
             measured.add_plate(plate, &usage, feet, states, weight_n);
         }
         measured.clear_frames_beside_plates(feet, states, weight_n);

@@ -12,8 +12,8 @@ pub struct Plate {
     pub name: String,
     /// The body on which the plate's force acts, if an `ExternalLoads` file names it.
     pub body: Option<String>,
-    /// Whether the file has centres of pressure of the plate. If all points are 0, it has none, and the moments have no
-    /// meaning.
+    /// Whether the file has centres of pressure of the plate, or moments about a fixed point. If all centres are 0, it has none, and
+    /// the moments have no meaning.
     pub has_points: bool,
     time_s: Vec<f64>,
     /// The force and moment at each time.
@@ -81,7 +81,9 @@ impl Plate {
         let at = |columns: Option<[&Column; 3]>, row: usize| {
             columns.map_or(DVec3::ZERO, |columns| columns.map(|column| column.values[row]).into())
         };
-        let has_points = point.into_iter().flatten().any(|column| column.values.iter().any(|&at| at != 0.0));
+        let is_point =
+            |column: &Column| column.values.iter().any(|&at| at != 0.0) || is_electrical(&column.name);
+        let has_points = point.into_iter().flatten().any(is_point);
         let wrenches = (0..table.rows())
             .map(|row| {
                 let free = Wrench { moment_n_m: at(torque, row), ..Wrench::default() };
@@ -103,6 +105,12 @@ impl Plate {
             (Some((last, wrench)), None) if time_s - last <= SAME_TIME_S => Some(wrench),
             _ => None,
         }
+    }
+
+    /// Whether the plate measures nothing but noise at these times.
+    pub(crate) fn is_idle(&self, time_s: &[f64]) -> bool {
+        const NOISE_N: f64 = 20.0;
+        time_s.iter().filter_map(|&time_s| self.at(time_s)).all(|wrench| wrench.force_n.length() <= NOISE_N)
     }
 
     fn wrench_of_row(&self, row: usize) -> Option<(f64, Wrench)> {
@@ -262,15 +270,22 @@ impl<'t> PlateColumns<'t> {
     }
 }
 
+/// The begin of the names of columns with a plate's electrical centre: moments are about it.
+const ELECTRICAL: &str = "ec";
+
+fn is_electrical(column: &str) -> bool {
+    column.to_ascii_lowercase().starts_with(ELECTRICAL)
+}
+
 /// The quantity and the plate of columns with this stem; examples are `ground_force_v`, `1_ground_force_p`, `ground_torque_r_`,
-/// `l_ground_moment_m`, `F1`, `M1`, `COP1`.
+/// `l_ground_moment_m`, `F1`, `M1`, `COP1`; NMSM has moments about a fixed point, `EC1`.
 fn quantity_and_plate(stem: &str) -> Option<(PlateQuantity, String)> {
     let lower = stem.to_ascii_lowercase();
     let numbered = lower.trim_start_matches(|c: char| c.is_ascii_alphabetic());
     if !numbered.is_empty() && numbered.chars().all(|c| c.is_ascii_digit()) {
         let quantity = match lower.strip_suffix(numbered)? {
             "f" | "force" => PlateQuantity::Force,
-            "p" | "cop" => PlateQuantity::CentreOfPressure,
+            "p" | "cop" | ELECTRICAL => PlateQuantity::CentreOfPressure,
             "m" | "t" | "moment" => PlateQuantity::Moment,
             _ => return None,
         };
@@ -332,6 +347,17 @@ mod tests {
         assert_eq!((plates[0].at(-0.1), plates[0].at(1.1)), (None, None));
         assert_eq!(plates[0].at(1.0).unwrap().force_n[1], 200.0);
         assert_eq!(plates[1].at(0.0).unwrap().force_n, DVec3::new(1.0, 2.0, 3.0));
+    }
+
+    /// 100 N up at the centre (0.2, 0, 0) add 20 N m about z to the moment there.
+    #[test]
+    fn moments_of_nmsm_are_about_the_electrical_centre() {
+        let text = "endheader\ntime F1x F1y F1z M1x M1y M1z EC1x EC1y EC1z\n0 0 100 0 -10 7 30 0.2 0 0\n1 0 100 0 -10 7 30 0.2 0 0\n";
+        let plates = Plate::from_columns(&parsed_table(text)).unwrap();
+        assert!(plates[0].has_points);
+        assert_eq!(plates[0].at(0.5).unwrap().moment_n_m, DVec3::new(-10.0, 7.0, 50.0));
+        let at_origin = text.replace("0.2 0 0", "0 0 0");
+        assert!(Plate::from_columns(&parsed_table(&at_origin)).unwrap()[0].has_points);
     }
 
     #[test]

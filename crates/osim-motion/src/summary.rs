@@ -124,7 +124,8 @@ impl Summary {
         }
         let on = feet.first().and_then(|foot| comparison_plane(states, &foot.foot, weight_n, false));
         let normal = on.map_or(DVec3::ZERO, |on| on.normal);
-        let along = |wrench: &Wrench| wrench.force_n.dot(normal);
+        // Adding 0 removes the sign of a negative zero.
+        let along = |wrench: &Wrench| wrench.force_n.dot(normal) + 0.0;
         let comparison = on.zip(measured).and_then(|(on, measured)| {
             let has_points = measured.has_points.iter().all(|&has_points| has_points);
             Comparison::of(&total, &measured.total, &ComparisonPlane { has_points, ..on }, |_| true)
@@ -175,7 +176,7 @@ impl FootSummary {
             (0..states.frames()).map(|frame| Wrench::from_states(foot.contacts(states, frame))).collect();
         let on = comparison_plane(states, foot, weight_n, plates.is_some_and(|(_, has_points)| has_points));
         let normal = on.map_or(DVec3::ZERO, |on| on.normal);
-        let forces: Vec<f64> = wrenches.iter().map(|wrench| wrench.force_n.dot(normal)).collect();
+        let forces: Vec<f64> = wrenches.iter().map(|wrench| wrench.force_n.dot(normal) + 0.0).collect();
         let (peak_at, peak_n) = largest_with_index(&forces);
         let measured = plates.filter(|(measured, _)| measured.iter().any(Option::is_some));
         let standing = measured.map(|(measured, _)| {

@@ -19,6 +19,8 @@ pub struct MotionRemark {
 
 /// The value with two significant digits, or with all digits before the decimal point.
 pub(crate) fn two_digits(value: f64) -> String {
+    // Adding 0 removes the sign of a negative zero.
+    let value = value + 0.0;
     let digits = if value.abs() >= 10.0 || value == 0.0 { 0 } else { 1 - value.abs().log10().floor() as i32 };
     format!("{value:.*}", usize::try_from(digits.clamp(0, 9)).unwrap_or(0))
 }

@@ -8,8 +8,8 @@ use osim_model::files::Files;
 use osim_model::messages::{Phrase, Verb, four_significant, listed, phrase, readable};
 use osim_motion::correct::Verdict;
 use osim_motion::{
-    AngleUnit, Comparison, FootSummary, LeftOutForces, ON_BW, PlateAssignment, PressureOnSole, SphereSummary,
-    Summary,
+    AngleUnit, AssignedBy, Comparison, FootSummary, LeftOutForces, ON_BW, Plate, PlateAssignment,
+    PressureOnSole, SphereSummary, Summary,
 };
 use osim_requests::options::InspectionOptions;
 use osim_requests::{CheckRequest, MotionRequest, RequestError};
@@ -164,7 +164,9 @@ impl MotionResult {
                 plate.plate
             ));
         }
-        if read.plates.iter().any(|plate| !plate.has_points) {
+        let has_no_points =
+            |(plate, one): (&Plate, &PlateAssignment)| !plate.has_points && one.by != Some(AssignedBy::Idle);
+        if read.plates.iter().zip(&measured.uses).any(has_no_points) {
             let text = "the plates' points are all 0 or missing: their centre of pressure is not known";
             remarks.add("no-centre-of-pressure", text);
         }

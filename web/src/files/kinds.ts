@@ -35,7 +35,7 @@ export function kindOf(name: string, head: string): FileKind {
   const ending = /\.([^./\\]+)$/.exec(name)?.[1]?.toLowerCase() ?? "";
   const kind = BY_ENDING[ending] ?? "other";
   // A table over time belongs to force plates if its columns have the three components of a force.
-  if (kind === "motion") return /\S*(vx|fx)\s+\S*(vy|fy)\s+\S*(vz|fz)/i.test(head) ? "plates" : "motion";
+  if (kind === "motion") return /\S*(v|f\d*)x\s+\S*(v|f\d*)y\s+\S*(v|f\d*)z/i.test(head) ? "plates" : "motion";
   if (ending !== "xml") return kind;
   const matches = BY_ELEMENT.map(([element, kind]) => ({ at: head.search(element), kind })).filter(({ at }) => at >= 0);
   return matches.sort((one, other) => one.at - other.at)[0]?.kind ?? "xml";

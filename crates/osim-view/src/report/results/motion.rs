@@ -73,6 +73,8 @@ pub(crate) fn motion_feet(result: &MotionResult) -> (Vec<&'static str>, Vec<Vec<
     let mut rows = Vec::new();
     let mut add = |name: &str, stances: Option<usize>, peak_n: f64, comparison: Option<&Comparison>| {
         let stances = stances.map(|count| count.to_string()).unwrap_or_default();
+        // If there are plates, only the frames count in which they measured.
+        let peak_n = comparison.map_or(peak_n, |one| one.peak_n);
         let mut row = vec![shown(name).to_string(), stances, bw(peak_n)];
         if with_plates {
             let cell = |value: Option<String>| value.unwrap_or_else(|| "-".to_owned());
@@ -197,7 +199,8 @@ pub fn motion_columns(result: &MotionResult) -> Vec<MotionColumn> {
     let times = states.time_s.iter().flat_map(|&time_s| states.pairs.iter().map(move |_| time_s)).collect();
     let numbers = NUMBER_COLUMNS.iter().map(|(name, number)| {
         let of_frame = |frame: usize| {
-            states.pairs.iter().zip(states.frame(frame)).map(|(pair, state)| number(pair, state))
+            // Adding 0 removes the sign of a negative zero.
+            states.pairs.iter().zip(states.frame(frame)).map(|(pair, state)| number(pair, state) + 0.0)
         };
         MotionColumn { name, cells: MotionCells::Numbers((0..frames).flat_map(of_frame).collect()) }
     });
@@ -346,9 +349,10 @@ fn storage(
     let mut text =
         format!("{name}\nversion=1\nnRows={rows}\nnColumns={count}\ninDegrees=no\n{about}endheader\ntime");
     columns.iter().for_each(|column| text.extend(["\t", column]));
+    // Adding 0 removes the sign of a negative zero.
     for (frame, time_s) in time_s.iter().enumerate() {
         text.push_str(&format!("\n{}", shortest(*time_s)));
-        row(frame).into_iter().for_each(|value| text.push_str(&format!("\t{}", shortest(value))));
+        row(frame).into_iter().for_each(|value| text.push_str(&format!("\t{}", shortest(value + 0.0))));
     }
     text.push('\n');
     text
