@@ -45,7 +45,7 @@ function results = check(varargin)
 %     yes: Confirm what looks like a mistake: the code of the error that asks. Takes 'implausible-mass'
 %         or 'mass-in-pounds' or 'against-note' or 'implausible-radius' or 'implausible-place' or
 %         'implausible-scale' or 'tilted-foot' or 'unequal-feet' or 'wrong-afterwards' or 'many-models'
-%         or a cell array of these.
+%         or 'poor-fit' or a cell array of these.
 %     AsTable: true gives a table with a row for each result; the name of a list in the results, such as
 %         'findings', one with a row for each of its entries. In GNU Octave, which has no tables, a
 %         struct of columns.

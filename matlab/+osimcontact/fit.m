@@ -24,6 +24,8 @@ function results = fit(varargin)
 %         'radians'.
 %     low_pass: Smooth the coordinates first: zero-lag Butterworth filter of 4th order, cutoff in Hz (6
 %         is usual for walking). Takes a number.
+%     plates_delay: The plates are late by this time, s: what they measured counts so much earlier.
+%         Takes a number.
 %     radius: Sphere radius, m. Takes a number.
 %     spheres: Spheres that share the measured force [default: 1]. Takes a whole number.
 %     onset: Where contact begins, in metres, or fit to find it. Takes 'fit' or a number.
@@ -62,7 +64,7 @@ function results = fit(varargin)
 %     yes: Confirm what looks like a mistake: the code of the error that asks. Takes 'implausible-mass'
 %         or 'mass-in-pounds' or 'against-note' or 'implausible-radius' or 'implausible-place' or
 %         'implausible-scale' or 'tilted-foot' or 'unequal-feet' or 'wrong-afterwards' or 'many-models'
-%         or a cell array of these.
+%         or 'poor-fit' or a cell array of these.
 %     geometry: The ContactGeometrySet (or model) that holds the spheres of a standalone ForceSet. Takes
 %         a text.
 %     model: The model a standalone ForceSet belongs to, for its masses and joints. Takes a text.

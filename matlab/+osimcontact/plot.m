@@ -69,7 +69,7 @@ function results = plot(varargin)
 %     yes: Confirm what looks like a mistake: the code of the error that asks. Takes 'implausible-mass'
 %         or 'mass-in-pounds' or 'against-note' or 'implausible-radius' or 'implausible-place' or
 %         'implausible-scale' or 'tilted-foot' or 'unequal-feet' or 'wrong-afterwards' or 'many-models'
-%         or a cell array of these.
+%         or 'poor-fit' or a cell array of these.
 %
 %   RESULTS: a struct with the fields output (the file) and text (remarks on it).
 %

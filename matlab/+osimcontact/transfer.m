@@ -77,7 +77,7 @@ function results = transfer(varargin)
 %     yes: Confirm what looks like a mistake: the code of the error that asks. Takes 'implausible-mass'
 %         or 'mass-in-pounds' or 'against-note' or 'implausible-radius' or 'implausible-place' or
 %         'implausible-scale' or 'tilted-foot' or 'unequal-feet' or 'wrong-afterwards' or 'many-models'
-%         or a cell array of these.
+%         or 'poor-fit' or a cell array of these.
 %     geometry: The ContactGeometrySet (or model) that holds the spheres of a standalone ForceSet. Takes
 %         a text.
 %     model: The model a standalone ForceSet belongs to, for its masses and joints. Takes a text.

@@ -13,7 +13,7 @@ Property = Literal[
 #: Codes of questions, which `yes` answers.
 Question = Literal[
     "implausible-mass", "mass-in-pounds", "against-note", "implausible-radius", "implausible-place",
-    "implausible-scale", "tilted-foot", "unequal-feet", "wrong-afterwards", "many-models",
+    "implausible-scale", "tilted-foot", "unequal-feet", "wrong-afterwards", "many-models", "poor-fit",
 ]
 
 #: Verbs that change any number of models.
@@ -30,12 +30,12 @@ ROW_OPTIONS = frozenset({
     "geometry_dir", "geometry_output", "gravity", "height_in", "height_ratio", "hertz_smoothing",
     "hunt_crossley_smoothing", "impact_speed", "in_place", "indentation", "indentation_column", "indentation_unit",
     "keep", "level", "level_axis", "load", "loads", "low_pass", "mass", "mirror", "model", "motion", "moved_spheres",
-    "no_backup", "no_note", "only", "onset", "output", "output_dir", "pad", "plates", "poisson", "presets", "radius",
-    "radius_axis", "reference_gravity", "reference_mass", "reference_select", "reference_sphere", "reference_spheres",
-    "replace", "restitution", "rule", "select", "set", "skip_disabled", "sockets", "speed_column", "speed_unit",
-    "speed_width", "spheres", "stance_limbs", "start", "state_width", "static_friction", "stiffness", "strict",
-    "target_gravity", "target_mass", "threshold", "time_column", "time_unit", "to", "transition_velocity",
-    "unbounded", "verb", "viscous_friction", "yes", "young",
+    "no_backup", "no_note", "only", "onset", "output", "output_dir", "pad", "plates", "plates_delay", "poisson",
+    "presets", "radius", "radius_axis", "reference_gravity", "reference_mass", "reference_select", "reference_sphere",
+    "reference_spheres", "replace", "restitution", "rule", "select", "set", "skip_disabled", "sockets",
+    "speed_column", "speed_unit", "speed_width", "spheres", "stance_limbs", "start", "state_width", "static_friction",
+    "stiffness", "strict", "target_gravity", "target_mass", "threshold", "time_column", "time_unit", "to",
+    "transition_velocity", "unbounded", "verb", "viscous_friction", "yes", "young",
 })
 
 #: Options of a whole run, which no row can have.

@@ -726,9 +726,9 @@ def explain(
 
 
 @overload
-def fit(measured: StrPath | TableLike, /, *, motion: None = None, plates: StrPath | TableLike | Sequence[StrPath | TableLike] | None = None, loads: StrPath | Sequence[StrPath] | None = None, fit: Literal["stiffness", "dissipation", "height"] | Sequence[Literal["stiffness", "dissipation", "height"]] | None = None, unbounded: bool = False, height_in: Literal["floor", "spheres"] | None = None, belt: float | None = None, belt_column: str | None = None, start: float | None = None, end: float | None = None, angles: Literal["degrees", "radians"] | None = None, low_pass: float | None = None, radius: float | None = None, spheres: int | None = None, onset: Literal["fit"] | None = None, branch: Literal["both", "loading", "unloading"] | None = None, indentation_column: str | None = None, force_column: str | None = None, speed_column: str | None = None, time_column: str | None = None, indentation_unit: Literal["m", "mm", "um"] | None = None, force_unit: Literal["N", "kN", "mN"] | None = None, speed_unit: Literal["m/s", "mm/s"] | None = None, time_unit: Literal["s", "ms"] | None = None, contacts_mass: float | None = None, mass: float | None = None, exclude_body: str | Sequence[str] | None = None, select: str | Sequence[str] | None = None, exclude: str | Sequence[str] | None = None, skip_disabled: bool = False, no_note: bool = False, yes: Question | Sequence[Question] | None = None, geometry: Source | None = None, model: Source | None = None) -> Fit: ...
+def fit(measured: StrPath | TableLike, /, *, motion: None = None, plates: StrPath | TableLike | Sequence[StrPath | TableLike] | None = None, loads: StrPath | Sequence[StrPath] | None = None, fit: Literal["stiffness", "dissipation", "height"] | Sequence[Literal["stiffness", "dissipation", "height"]] | None = None, unbounded: bool = False, height_in: Literal["floor", "spheres"] | None = None, belt: float | None = None, belt_column: str | None = None, start: float | None = None, end: float | None = None, angles: Literal["degrees", "radians"] | None = None, low_pass: float | None = None, plates_delay: float | None = None, radius: float | None = None, spheres: int | None = None, onset: Literal["fit"] | None = None, branch: Literal["both", "loading", "unloading"] | None = None, indentation_column: str | None = None, force_column: str | None = None, speed_column: str | None = None, time_column: str | None = None, indentation_unit: Literal["m", "mm", "um"] | None = None, force_unit: Literal["N", "kN", "mN"] | None = None, speed_unit: Literal["m/s", "mm/s"] | None = None, time_unit: Literal["s", "ms"] | None = None, contacts_mass: float | None = None, mass: float | None = None, exclude_body: str | Sequence[str] | None = None, select: str | Sequence[str] | None = None, exclude: str | Sequence[str] | None = None, skip_disabled: bool = False, no_note: bool = False, yes: Question | Sequence[Question] | None = None, geometry: Source | None = None, model: Source | None = None) -> Fit: ...
 @overload
-def fit(measured: Source, /, *, motion: StrPath | TableLike | Sequence[StrPath | TableLike], plates: StrPath | TableLike | Sequence[StrPath | TableLike] | None = None, loads: StrPath | Sequence[StrPath] | None = None, fit: Literal["stiffness", "dissipation", "height"] | Sequence[Literal["stiffness", "dissipation", "height"]] | None = None, unbounded: bool = False, height_in: Literal["floor", "spheres"] | None = None, belt: float | None = None, belt_column: str | None = None, start: float | None = None, end: float | None = None, angles: Literal["degrees", "radians"] | None = None, low_pass: float | None = None, radius: float | None = None, spheres: int | None = None, onset: Literal["fit"] | None = None, branch: Literal["both", "loading", "unloading"] | None = None, indentation_column: str | None = None, force_column: str | None = None, speed_column: str | None = None, time_column: str | None = None, indentation_unit: Literal["m", "mm", "um"] | None = None, force_unit: Literal["N", "kN", "mN"] | None = None, speed_unit: Literal["m/s", "mm/s"] | None = None, time_unit: Literal["s", "ms"] | None = None, contacts_mass: float | None = None, mass: float | None = None, exclude_body: str | Sequence[str] | None = None, select: str | Sequence[str] | None = None, exclude: str | Sequence[str] | None = None, skip_disabled: bool = False, no_note: bool = False, yes: Question | Sequence[Question] | None = None, geometry: Source | None = None, model: Source | None = None) -> Result: ...
+def fit(measured: Source, /, *, motion: StrPath | TableLike | Sequence[StrPath | TableLike], plates: StrPath | TableLike | Sequence[StrPath | TableLike] | None = None, loads: StrPath | Sequence[StrPath] | None = None, fit: Literal["stiffness", "dissipation", "height"] | Sequence[Literal["stiffness", "dissipation", "height"]] | None = None, unbounded: bool = False, height_in: Literal["floor", "spheres"] | None = None, belt: float | None = None, belt_column: str | None = None, start: float | None = None, end: float | None = None, angles: Literal["degrees", "radians"] | None = None, low_pass: float | None = None, plates_delay: float | None = None, radius: float | None = None, spheres: int | None = None, onset: Literal["fit"] | None = None, branch: Literal["both", "loading", "unloading"] | None = None, indentation_column: str | None = None, force_column: str | None = None, speed_column: str | None = None, time_column: str | None = None, indentation_unit: Literal["m", "mm", "um"] | None = None, force_unit: Literal["N", "kN", "mN"] | None = None, speed_unit: Literal["m/s", "mm/s"] | None = None, time_unit: Literal["s", "ms"] | None = None, contacts_mass: float | None = None, mass: float | None = None, exclude_body: str | Sequence[str] | None = None, select: str | Sequence[str] | None = None, exclude: str | Sequence[str] | None = None, skip_disabled: bool = False, no_note: bool = False, yes: Question | Sequence[Question] | None = None, geometry: Source | None = None, model: Source | None = None) -> Result: ...
 def fit(
     measured: StrPath | TableLike | Source,
     /,
@@ -745,6 +745,7 @@ def fit(
     end: float | None = None,
     angles: Literal["degrees", "radians"] | None = None,
     low_pass: float | None = None,
+    plates_delay: float | None = None,
     radius: float | None = None,
     spheres: int | None = None,
     onset: Literal["fit"] | None = None,
@@ -801,6 +802,8 @@ def fit(
     low_pass : float, optional
         Smooth the coordinates first: zero-lag Butterworth filter of 4th order, cutoff in Hz (6 is usual for
         walking)
+    plates_delay : float, optional
+        The plates are late by this time, s: what they measured counts so much earlier.
     radius : float, optional
         Sphere radius, m.
     spheres : int, optional
@@ -861,7 +864,7 @@ def fit(
     >>> ocs.fit("fixtures/measured/heel_pad.csv", radius=0.03).frame()["name"].tolist()
     ['composite_modulus_n_m2', 'stiffness']
     """
-    keywords = {"motion": motion, "plates": plates, "loads": loads, "fit": fit, "unbounded": unbounded or None, "height_in": height_in, "belt": belt, "belt_column": belt_column, "start": start, "end": end, "angles": angles, "low_pass": low_pass, "radius": radius, "spheres": spheres, "onset": onset, "branch": branch, "indentation_column": indentation_column, "force_column": force_column, "speed_column": speed_column, "time_column": time_column, "indentation_unit": indentation_unit, "force_unit": force_unit, "speed_unit": speed_unit, "time_unit": time_unit, "contacts_mass": contacts_mass, "mass": mass, "exclude_body": exclude_body, "select": select, "exclude": exclude, "skip_disabled": skip_disabled or None, "no_note": no_note or None, "yes": yes, "geometry": geometry, "model": model}
+    keywords = {"motion": motion, "plates": plates, "loads": loads, "fit": fit, "unbounded": unbounded or None, "height_in": height_in, "belt": belt, "belt_column": belt_column, "start": start, "end": end, "angles": angles, "low_pass": low_pass, "plates_delay": plates_delay, "radius": radius, "spheres": spheres, "onset": onset, "branch": branch, "indentation_column": indentation_column, "force_column": force_column, "speed_column": speed_column, "time_column": time_column, "indentation_unit": indentation_unit, "force_unit": force_unit, "speed_unit": speed_unit, "time_unit": time_unit, "contacts_mass": contacts_mass, "mass": mass, "exclude_body": exclude_body, "select": select, "exclude": exclude, "skip_disabled": skip_disabled or None, "no_note": no_note or None, "yes": yes, "geometry": geometry, "model": model}
     return _run.fit(measured, keywords)
 
 
@@ -965,6 +968,7 @@ def motion(
     loads: StrPath | None = None,
     angles: Literal["degrees", "radians"] | None = None,
     low_pass: float | None = None,
+    plates_delay: float | None = None,
     belt: float | None = None,
     belt_column: str | None = None,
     start: float | None = None,
@@ -1001,6 +1005,8 @@ def motion(
     low_pass : float, optional
         Smooth the coordinates first: zero-lag Butterworth filter of 4th order, cutoff in Hz (6 is usual for
         walking)
+    plates_delay : float, optional
+        The plates are late by this time, s: what they measured counts so much earlier.
     belt : float, optional
         Speed of a treadmill's belt towards -x, m/s; slip is relative to it.
     belt_column : str, optional
@@ -1053,7 +1059,7 @@ def motion(
     >>> len(walk.rows)
     964
     """
-    keywords = {"plates": plates, "loads": loads, "angles": angles, "low_pass": low_pass, "belt": belt, "belt_column": belt_column, "start": start, "end": end, "correct": correct, "vertical": vertical or None, "floor": floor, "output": output, "force": force or None, "contacts_mass": contacts_mass, "mass": mass, "exclude_body": exclude_body, "select": select, "exclude": exclude, "skip_disabled": skip_disabled or None, "geometry": geometry, "model": model}
+    keywords = {"plates": plates, "loads": loads, "angles": angles, "low_pass": low_pass, "plates_delay": plates_delay, "belt": belt, "belt_column": belt_column, "start": start, "end": end, "correct": correct, "vertical": vertical or None, "floor": floor, "output": output, "force": force or None, "contacts_mass": contacts_mass, "mass": mass, "exclude_body": exclude_body, "select": select, "exclude": exclude, "skip_disabled": skip_disabled or None, "geometry": geometry, "model": model}
     return _run.motion(source, recording, keywords)
 
 

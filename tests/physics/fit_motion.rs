@@ -86,6 +86,17 @@ fn a_start_that_is_wrong_by_ten_times_leads_to_the_same_fit() {
     }
 }
 
+/// If only the dissipation is fitted, the floor stays too high by 11 mm.
+#[test]
+fn a_poor_fit_is_only_written_on_request() {
+    let dir = TestDir::with(&FILES_OF_RECORDING);
+    let call = format!("{FIT_CALL} --fit dissipation -o fitted.osim");
+    let refused =
+        dir.run(&call).says(&["a model that never touches by 0.768", "--yes poor-fit"]).wrote_nothing();
+    assert_eq!(refused.status, Some(1));
+    dir.run(&format!("{call} --yes poor-fit")).succeeded().wrote(&["fitted.osim"]);
+}
+
 #[test]
 fn only_the_named_quantities_are_fitted() {
     let dir = TestDir::with(&FILES_OF_RECORDING);
@@ -174,8 +185,10 @@ fn spheres_go_down_by_a_quarter_of_a_metre_at_most() {
     };
     let rows: Vec<String> = rows.lines().map(raised).collect();
     dir.write("walk.mot", format!("{head}endheader\n{names}\n{}\n", rows.join("\n")));
-    let plan =
-        json_object(&dir.run(&format!("{FIT_CALL} --height-in spheres --dry-run --format json")).succeeded());
+    let plan = json_object(
+        &dir.run(&format!("{FIT_CALL} --height-in spheres --dry-run --format json --yes poor-fit"))
+            .succeeded(),
+    );
     let [_, y, _] = new_centre(&plan, "heel_r");
     assert!((y - (-0.02 - 0.25)).abs() < 1e-3, "{y}");
 }
@@ -292,7 +305,7 @@ fn fit_of_a_measured_gait_reaches_the_documented_error() {
     assert!((null - 0.661).abs() < 1e-3, "{null}");
     assert!(plan["errors"]["largest_relative_indentation"].as_f64().unwrap() > 1.0);
     // Bounded, it says what that costs.
-    let (bounded, _, plan) = fit_errors("");
+    let (bounded, _, plan) = fit_errors("--yes poor-fit");
     assert!(
         bounded > unbounded && plan["errors"]["largest_relative_indentation"].as_f64().unwrap() <= 1.0 + 1e-6
     );
@@ -402,7 +415,8 @@ fn a_foot_that_no_plate_measured_is_left_out() {
 fn a_moved_floor_of_other_spheres_is_reported() {
     let dir = TestDir::with(&FILES_OF_RECORDING);
     let plan = json_object(
-        &dir.run(&format!("{FIT_CALL} --select contact_heel_r --dry-run --format json")).succeeded(),
+        &dir.run(&format!("{FIT_CALL} --select contact_heel_r --dry-run --format json --yes poor-fit"))
+            .succeeded(),
     );
     let remarks = plan["remarks"].to_string();
     assert!(remarks.contains("the floor is also that of"), "{remarks}");

@@ -210,6 +210,30 @@ fn an_idle_plate_does_not_make_feet_unknown() {
     assert_eq!(motion("three.sto"), two);
 }
 
+/// Plates that are late count earlier by their delay.
+#[test]
+fn plates_that_are_late_are_shifted() {
+    let dir = TestDir::with(&FILES_OF_RECORDING);
+    let text = dir.text("plates.sto");
+    let late = |line: &str| match line
+        .split_once('\t')
+        .and_then(|(time, more)| Some((time.parse::<f64>().ok()?, more)))
+    {
+        Some((time, more)) => format!("{}\t{more}", time + 0.0625),
+        None => line.to_owned(),
+    };
+    dir.write("late.sto", text.lines().map(late).collect::<Vec<_>>().join("\n"));
+    let feet = |plates: &str| {
+        let call = format!("motion walker.osim walk.mot --loads plates.xml --plates {plates} --format json");
+        json_object(&dir.run(&call).succeeded())["feet"].clone()
+    };
+    let rms_n = |feet: &serde_json::Value| feet[0]["comparison"]["normal_rms_n"].as_f64().unwrap();
+    let (right, late, shifted) =
+        (feet("plates.sto"), feet("late.sto"), feet("late.sto --plates-delay 0.0625"));
+    assert_close(rms_n(&shifted), rms_n(&right), 1e-9, "shifted");
+    assert!((rms_n(&late) / rms_n(&right) - 1.0).abs() > 1e-3, "{late}");
+}
+
 /// A step beside the plates (7.6 body weights in the model, no force in the plates) does not count as an error of the contacts.
 #[test]
 fn a_step_beside_the_plates_is_not_compared() {

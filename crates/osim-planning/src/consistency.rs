@@ -30,7 +30,7 @@ pub(crate) fn two_digits(value: f64) -> String {
 pub struct Consistency {
     pub verdict: Verdict,
     /// The verdict in a sentence.
-    pub why: String,
+    pub why: Phrase,
     /// The verdict and its figures in sentences.
     pub remarks: Vec<MotionRemark>,
     /// The corrected motion; `None` if plates and motion cannot be compared.
@@ -67,15 +67,15 @@ impl Consistency {
         let seen = mismatches(model, recording, (states, feet), measured, weight_n);
         let seen = seen.map_err(|fault| fault.to_string())?;
         if let Some(cause) = seen.iter().find(|cause| cause.prevents()) {
-            let why = format!("contacts and plates do not agree: {}", cause_in_words(cause, feet));
-            let remarks = vec![MotionRemark { code: "disagree", message: why.clone().into() }];
+            let why = phrase!["contacts and plates do not agree: ", &cause_in_words(cause, feet)];
+            let remarks = vec![MotionRemark { code: "disagree", message: why.clone() }];
             return Ok(Consistency { verdict: Verdict::Disagree, why, remarks, correction: None });
         }
         let correction = correct(model, recording, (states, feet), measured, weight_n, options)
             .map_err(|fault| fault.to_string())?;
         let (verdict, causes) = correction.figures.verdict(seen);
         let why = sentence(verdict, &causes, feet, &correction);
-        let mut remarks = vec![MotionRemark { code: verdict.as_str(), message: why.clone().into() }];
+        let mut remarks = vec![MotionRemark { code: verdict.as_str(), message: why.clone() }];
         let corrected = || MotionRemark { code: "corrected", message: CORRECTED_ALREADY.into() };
         remarks.extend(was_corrected.then(corrected));
         let horizontal = horizontal_error(&correction.figures);
@@ -94,9 +94,9 @@ fn millimetres(length_m: f64) -> String {
     format!("{} mm", two_digits(1e3 * length_m.abs()))
 }
 
-fn cause_in_words(cause: &Mismatch, feet: &[Foot]) -> String {
+fn cause_in_words(cause: &Mismatch, feet: &[Foot]) -> Phrase {
     let name = |foot: usize| feet.get(foot).map_or("foot", |foot| foot.name.as_str());
-    match *cause {
+    let text = match *cause {
         Mismatch::Sign => "the plates' forces point down: their sign has to change".to_owned(),
         Mismatch::ForceUnit { mean_bw } => {
             let (unit, mean) = (if mean_bw.abs() < 0.1 { "kN" } else { "pounds" }, two_digits(mean_bw));
@@ -116,17 +116,21 @@ fn cause_in_words(cause: &Mismatch, feet: &[Foot]) -> String {
         }
         Mismatch::Delay { late_s } => {
             let (ms, when) = (1e3 * late_s.abs(), if late_s > 0.0 { "later" } else { "earlier" });
-            format!("the plates are {ms:.0} ms {when} than the motion, by the inertia of the whole body")
+            let text =
+                format!("the plates are {ms:.0} ms {when} than the motion, by the inertia of the whole body");
+            let shift = Input::PlatesDelay.with_value(format!("{:.3}", late_s));
+            return phrase![text, " (", shift, " removes it)"];
         }
         Mismatch::OneFoot { apart_m } => {
             let (up, other) = if apart_m > 0.0 { (name(1), name(0)) } else { (name(0), name(1)) };
             format!("the {up} has to go up by {} against the {other}", millimetres(apart_m))
         }
-    }
+    };
+    text.into()
 }
 
 /// The verdict in a sentence.
-fn sentence(verdict: Verdict, causes: &[Mismatch], feet: &[Foot], correction: &Correction) -> String {
+fn sentence(verdict: Verdict, causes: &[Mismatch], feet: &[Foot], correction: &Correction) -> Phrase {
     let figures = &correction.figures;
     let side = if correction.floor_up_m < 0.0 { "lower" } else { "higher" };
     let (lift, floor) = (millimetres(figures.lift_p95_m), millimetres(correction.floor_up_m));
@@ -134,14 +138,20 @@ fn sentence(verdict: Verdict, causes: &[Mismatch], feet: &[Foot], correction: &C
     let moves = format!("loaded spheres move up or down by {lift} (95 %), joints by {degrees} degrees (rms)");
     let moves = format!("{moves}; the floor is {floor} {side} than in the model");
     let left = two_digits(figures.worst(|foot| foot.after.vertical_bw));
-    let causes: Vec<String> = causes.iter().map(|cause| cause_in_words(cause, feet)).collect();
     let large = "contacts and plates agree after a large correction only, as in half of all recordings";
     match verdict {
-        Verdict::Agree => format!("contacts and plates agree: {moves}"),
+        Verdict::Agree => format!("contacts and plates agree: {moves}").into(),
         Verdict::LargeCorrection => {
-            format!("{large}: {moves}; the vertical force is off by {left} body weights")
+            format!("{large}: {moves}; the vertical force is off by {left} body weights").into()
         }
-        Verdict::Disagree => format!("contacts and plates do not agree: {}; {moves}", causes.join("; ")),
+        Verdict::Disagree => {
+            let mut text = Phrase::from("contacts and plates do not agree: ");
+            for cause in causes {
+                text.push(&phrase![&cause_in_words(cause, feet), "; "]);
+            }
+            text.push(moves);
+            text
+        }
     }
 }
 

@@ -53,7 +53,8 @@ pub fn run_motion(request: &MotionRequest, files: &dyn Files) -> Result<MotionRe
     let recording =
         Recording::of(&opened.model, &table, &options).map_err(|fault| failure(motion, &fault))?;
     let loads = request.loads.as_deref();
-    let plates = request.plates.as_ref().map(|file| PlatesRead::read(file, loads, files)).transpose()?;
+    let read_plates = |file: &PathBuf| PlatesRead::read(file, loads, request.plates_delay, files);
+    let plates = request.plates.as_ref().map(read_plates).transpose()?;
     let (mass_kg, gravity_m_s2) =
         mass_and_gravity(&request.masses.request(), &opened.model).map_err(|fault| opened.failure(fault))?;
     let selected = request.choice.selection().apply(&opened.model).map_err(|fault| opened.failure(fault))?;
@@ -197,12 +198,20 @@ pub struct PlatesRead {
 }
 
 impl PlatesRead {
-    /// Reads the plates from the table `file`. The ExternalLoads file at `loads` names its columns.
+    /// Reads the plates from the table `file`, which is late by `delay_s`. The ExternalLoads file at `loads` names its columns.
     ///
     /// # Errors
     /// A file that cannot be read, or columns that are not there.
-    pub(crate) fn read(file: &Path, loads: Option<&Path>, files: &dyn Files) -> Result<Self, Failure> {
-        let table = read_table(file, files)?;
+    pub(crate) fn read(
+        file: &Path,
+        loads: Option<&Path>,
+        delay_s: Option<Signed>,
+        files: &dyn Files,
+    ) -> Result<Self, Failure> {
+        let mut table = read_table(file, files)?;
+        if let Some(delay_s) = delay_s {
+            table.time_s.iter_mut().for_each(|time_s| *time_s -= delay_s.get());
+        }
         let gaps = table.gaps();
         let Some(path) = loads else {
             let plates = Plate::from_columns(&table).map_err(|fault| failure(file, &fault))?;

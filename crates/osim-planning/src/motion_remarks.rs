@@ -253,7 +253,7 @@ fn judge_fit(result: &MotionResult) -> Result<Result<Phrase, Finding>, Phrase> {
         return Err(CORRECTED_ALREADY.into());
     }
     let judged = result.judge(&MotionRequest::default())?;
-    let mut why = Phrase::from(judged.why);
+    let mut why = judged.why;
     if let Some(worse) = judged.correction.as_ref().and_then(|one| horizontal_error(&one.figures)) {
         why.push("; ");
         why.push(&worse);

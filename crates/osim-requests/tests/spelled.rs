@@ -65,7 +65,7 @@ const EXAMPLES: &str = r##"{
     "file": "measured.csv", "onset": -0.001, "branch": "loading", "indentation_column": "x [mm]", "force_column": "F",
     "speed_column": "v", "time_column": "t", "indentation_unit": "mm", "force_unit": "kN", "speed_unit": "mm/s", "time_unit": "ms",
     "dissipation": 1.5, "name": "falisse2022", "topics": ["C.2", "x/R"], "ascii": true,
-    "motion": "walk 1.mot", "plates": "grf.mot", "loads": "grf.xml", "angles": "degrees", "low_pass": 6, "belt": -1.25, "belt_column": "belt speed",
+    "motion": "walk 1.mot", "plates": "grf.mot", "loads": "grf.xml", "angles": "degrees", "low_pass": 6, "plates_delay": -0.05, "belt": -1.25, "belt_column": "belt speed",
     "moco_setup": "my walk.omoco", "from_moco_setup": "walk.omoco",
     "fit": ["height"], "unbounded": true, "height_in": "spheres", "start": -0.5, "end": 2, "correct": "b.sto", "vertical": true, "floor": -0.01, "sockets": true
 }"##;

@@ -127,6 +127,7 @@ inputs! {
     OutputDir = "output_dir", "output folder";
     Pad = "pad", "sole below the bones";
     Plates = "plates", "measured ground reactions";
+    PlatesDelay = "plates_delay", "delay of the force plates";
     Point = "point", "one point of the grid";
     Poisson = "poisson", "Poisson's ratio";
     Presets = "presets", "file with presets";

@@ -6,13 +6,16 @@ use std::path::{Path, PathBuf};
 use osim_inspect::{ContactsOrigin, Figure, InspectOptions};
 use osim_model::files::{FileName, Files, OpenModel};
 use osim_model::messages::{Input, Phrase, Verb, phrase, shortest, shown};
-use osim_model::{Assignment, Fault, HalfSpace, Mass, MassSource, Model, Property, Selected, SphereId};
+use osim_model::{
+    Assignment, Fault, HalfSpace, Mass, MassSource, Model, Property, Question, Selected, SphereId, Suspicion,
+};
 use osim_motion::fit::{FitBounds, FitError, FitTrial, FootForces, MotionFit, fit_motion};
 use osim_motion::{
-    Belt, ContactStates, Foot, MeasuredForces, Recording, RecordingOptions, StatesError, Summary, Table,
+    Belt, ContactStates, Foot, FootSummary, MeasuredForces, Recording, RecordingOptions, StatesError,
+    Summary, Table,
 };
 use osim_patch::{Plan, RecordingErrors, Set, set};
-use osim_requests::options::InspectionOptions;
+use osim_requests::options::{AnswerOptions, InspectionOptions};
 use osim_requests::{FitRequest, FittedChoice, HeightChoice, MotionRequest, RequestError, RequestFault};
 
 use super::fit_remarks::remarks;
@@ -40,6 +43,7 @@ struct FitPlanner {
     trials: Vec<TrialInput>,
     bounds: FitBounds,
     options: InspectOptions,
+    answers: AnswerOptions,
 }
 
 /// Checks the request and reads the recordings.
@@ -70,7 +74,7 @@ pub(crate) fn prepare(request: FitRequest, files: &dyn Files) -> Result<Prepared
             belt: belt.unwrap_or_default(),
             table,
             options: recording_options(motion, request.angles, request.low_pass),
-            plates: PlatesRead::read(table_of_plates, loads, files)?,
+            plates: PlatesRead::read(table_of_plates, loads, request.plates_delay, files)?,
         });
     }
     let extra_files = motions.iter().chain(plates).chain(loads).cloned().collect();
@@ -88,8 +92,14 @@ pub(crate) fn prepare(request: FitRequest, files: &dyn Files) -> Result<Prepared
         return Err(RequestFault::refused(Input::HeightIn, why).into());
     }
     let FitRequest { masses, choice, output, answers, set_files, .. } = request;
-    let inspection = InspectionOptions { masses, choice, set_files, answers, ..InspectionOptions::default() };
-    let planner = FitPlanner { trials, bounds, options: InspectOptions::from(&inspection) };
+    let inspection = InspectionOptions {
+        masses,
+        choice,
+        set_files,
+        answers: answers.clone(),
+        ..InspectionOptions::default()
+    };
+    let planner = FitPlanner { trials, bounds, options: InspectOptions::from(&inspection), answers };
     Ok(PreparedChange {
         extra_files,
         ..PreparedChange::new(Verb::Fit, vec![model], output, inspection, planner)
@@ -238,6 +248,7 @@ impl Planner for FitPlanner {
         let (_, states, feet) = self.follow_trial(&self.trials[0], &changed, &selected)?;
         let after = Summary::of(&states, &feet, Some(&first.measured), weight_n);
         let errors = recording_errors(&fit, &trials, &after)?;
+        self.answers.require_yes(poor_fit(&fit, &errors)).map_err(Fault::new)?;
         plan.errors = Some(errors);
         // If spheres move, the floor of the first recording stays.
         let first_m = fit.spheres_down_m.map(|_| 0.0);
@@ -258,6 +269,25 @@ impl Planner for FitPlanner {
         plan.remarks.extend(self.remark_on_dimensionless_numbers(&changed));
         Ok(plan)
     }
+}
+
+/// The question whether the caller wants a fit that is hardly better than no contact, or worse than before.
+fn poor_fit(fit: &MotionFit, errors: &RecordingErrors) -> Option<Suspicion> {
+    let RecordingErrors { vertical_rms_bw, null_vertical_rms_bw, .. } = errors;
+    let (after, before) = (fit.after.vertical_rms_bw, fit.before.vertical_rms_bw);
+    let text = match after > before {
+        true => format!(
+            "the fitted model is off by {after:.3} body weights (rms), and the model as it is by {before:.3}"
+        ),
+        false => format!(
+            "the worst foot of the fitted model is off by {vertical_rms_bw:.3} body weights (rms), and a model that never touches by \
+             {null_vertical_rms_bw:.3}"
+        ),
+    };
+    let correct = Verb::Motion.call_with_model().with_placeholder(Input::Correct, "FILE");
+    let text = phrase![text, ": correct the motion instead, with ", correct];
+    (after > before || *vertical_rms_bw > 0.5 * null_vertical_rms_bw)
+        .then_some(Suspicion::Other { question: Question::PoorFit, text })
 }
 
 fn fault_of_states(trial: &str, error: StatesError) -> Fault {
@@ -299,7 +329,10 @@ fn null_rms_bw(trials: &[FitTrial]) -> f64 {
 
 /// The errors of the fitted model, compared with the plates. Refused if forces are not finite.
 fn recording_errors(fit: &MotionFit, trials: &[FitTrial], after: &Summary) -> Result<RecordingErrors, Fault> {
-    let feet = || after.feet.iter().filter_map(|foot| foot.comparison.as_ref());
+    let is_left_out =
+        |foot: &FootSummary| trials.iter().take(1).any(|one| one.without_force.contains(&foot.foot.name));
+    let feet =
+        || after.feet.iter().filter(|foot| !is_left_out(foot)).filter_map(|foot| foot.comparison.as_ref());
     let largest = |a: f64, b: f64| if a.is_nan() || a > b { a } else { b };
     let worst = |of: fn(&osim_motion::Comparison) -> f64| feet().map(of).fold(0.0, largest);
     let others = fit.trials_rms_bw.iter().skip(1).copied().fold(0.0, largest);

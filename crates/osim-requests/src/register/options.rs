@@ -171,6 +171,8 @@ pub(super) fn entry_of(field: Field<'_>, verb: Verb) -> Option<Entry> {
         Samples = value("N").rare(), "Points of the series";
         Compare = read("OTHER"), "Say how far this drop and that of OTHER (a model or preset) lie apart in dimensionless form";
         CompareSpheres = value("N").rare(), "With `compare`: the spheres that share OTHER's weight [default: as found on one limb]";
+        PlatesDelay = value("S").signed().under_if(is(&[Fit]), RECORDING_GROUP).rare(),
+            "The plates are late by this time, s: what they measured counts so much earlier";
         LowPass = value("HZ").under_if(is(&[Fit]), RECORDING_GROUP),
             "Smooth the coordinates first: zero-lag Butterworth filter of 4th order, cutoff in Hz (6 is usual for walking)";
         Belt = value("M/S").signed().under_if(is(&[Fit]), RECORDING_GROUP),

@@ -69,6 +69,7 @@ fields! {
         loads: Option<PathBuf> as "path::Optional",
         angles: Option<AngleChoice>,
         low_pass: Option<Positive>,
+        plates_delay: Option<Signed>,
         belt: Option<Signed>,
         belt_column: Option<String>,
         start: Option<Signed>,
@@ -84,7 +85,7 @@ fields! {
         set_files: ..SetFiles,
     } where
         Required("subject"), Required("motion"), Needs("loads", "plates"), Excludes("belt", "belt_column"),
-        Needs("correct", "plates"), Needs("vertical", "correct"), Needs("floor", "correct");
+        Needs("correct", "plates"), Needs("plates_delay", "plates"), Needs("vertical", "correct"), Needs("floor", "correct");
 
     /// Lets a model fall on its contacts and shows what they do.
     struct DropTestRequest {

@@ -111,6 +111,8 @@ named! {
         /// Should the change be made? The contacts would be wrong afterwards.
         WrongAfterwards = "wrong-afterwards",
         ManyModels = "many-models",
+        /// Should a fit be written that is hardly better than a model that never touches, or worse than the model as it is?
+        PoorFit = "poor-fit",
     }
 }
 

@@ -132,6 +132,8 @@ const QUESTION_ERRORS: &[ErrorCode] = codes! {
     "wrong-afterwards": "the model that would be written has an error that it does not have now: `check MODEL` says of every model what it says here of the new one",
         "do what the message says of the error; if this is intended, confirm it with `yes=wrong-afterwards`";
     "many-models": "a sweep would make more than 10,000 models", "give fewer values, or `yes=many-models`";
+    "poor-fit": "the fitted model has more than half of the error of a model that never touches, or a larger error than the model as it is",
+        "correct the motion instead (`motion MODEL correct=FILE`); if this is intended, confirm it with `yes=poor-fit`";
     "same-operation": "the note says that this very factor was applied already (set … `in_place`, `radius=xFACTOR` `in_place`), or that spheres follow their bodies already (`body_scale_file`)",
         "apply it once more with `force`, or leave out `body_scale_file`";
     "body-scale": "how a body was scaled is not in the files, or meshes, or left and right, contradict each other (`transfer follow_bodies`); or `body_scale_file` belongs to another generic model than `from`",

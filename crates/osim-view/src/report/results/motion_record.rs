@@ -51,17 +51,17 @@ records! {
             result.summary.feet.iter().zip(&result.on_soles).map(|(foot, sole)| (result, foot, sole).into()).collect(),
         /// Whether motion, contacts and plates agree, if a corrected motion is wanted.
         #[serde(skip_serializing_if = "Option::is_none")]
-        consistency: Option<ConsistencyRecord> = result.consistency.as_ref().map(|one| (one, one.correction.as_ref()).into()),
+        consistency: Option<ConsistencyRecord> = result.consistency.as_ref().map(|one| (one, one.correction.as_ref(), dialect).into()),
         /// Remarks in words.
         remarks: Vec<MotionRemarkRecord> = remarks.iter().map(|remark| (remark, dialect).into()).collect(),
     }
 
     /// Whether a motion, contacts and plates agree: by the least correction of the motion that makes them agree.
-    ConsistencyRecord from (one, correction): (&Consistency, Option<&Correction>) {
+    ConsistencyRecord from (one, correction, dialect): (&Consistency, Option<&Correction>, &dyn Dialect) {
         /// `agree`, `large-correction` or `disagree`.
         verdict: String = one.verdict.as_str().to_owned(),
         /// The verdict in words.
-        why: String = one.why.clone(),
+        why: String = one.why.spelled(dialect),
         /// Errors of the vertical force of each foot (rms), body weights.
         vertical_rms_bw: Vec<CorrectedErrorRecord> = errors(correction, |errors| errors.vertical_bw),
         /// Errors of the horizontal force of each foot (rms), body weights.
