@@ -69,7 +69,10 @@ fn bash_completes_verbs_options_and_values() {
         assert_eq!(complete(&["osim-contact-scale", verb, "''"]).unwrap(), "", "{verb}");
     }
     assert_eq!(complete(&["osim-contact-scale", "presets", "fal"]).unwrap(), "falisse2022");
-    assert_eq!(complete(&["osim-contact-scale", "add", "m.osim", "--from", "moco"]).unwrap(), "moco-2d-gait");
+    assert_eq!(
+        complete(&["osim-contact-scale", "add", "m.osim", "--from", "moco-2"]).unwrap(),
+        "moco-2d-gait"
+    );
     assert_eq!(complete(&["osim-contact-scale", "explain", "sunk"]).unwrap(), "sunk-in");
     assert_eq!(complete(&["osim-contact-scale", "set", "m.osim", "stif"]).unwrap(), "stiffness=");
 }

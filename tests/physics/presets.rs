@@ -63,13 +63,13 @@ fn user_presets_are_listed_after_the_published_one() {
             serde_json::from_str::<serde_json::Value>(line).unwrap()["name"].as_str().unwrap().to_owned()
         })
         .collect();
-    assert_eq!(names, ["falisse2022", "lab_heel"]);
+    assert_eq!(names, ["falisse2022", "moco-3d-walking", "osim-rl", "lab_heel"]);
     let preset = json_object(&dir.run("presets lab_heel --presets lab.toml --format json").succeeded());
     assert_eq!((number(&preset, "stiffness"), number(&preset, "spheres")), (1.5e6, 4.0));
     assert!(preset["hertz_smoothing"].is_null() && preset["dimensionless"]["hertz_smoothing"].is_null());
     dir.run("presets lab_hell --presets lab.toml")
         .usage_error()
-        .says(&["unknown preset 'lab_hell'", "falisse2022, lab_heel"]);
+        .says(&["unknown preset 'lab_hell'", "falisse2022, moco-3d-walking, osim-rl, lab_heel"]);
     dir.run("presets lab_heel").usage_error().says(&["unknown preset 'lab_heel'"]);
 }
 
@@ -90,7 +90,7 @@ fn transfer_accepts_a_user_preset() {
     dir.run("transfer feet.osim --from lab_hell --presets lab.toml")
         .usage_error()
         .wrote_nothing()
-        .says(&["no such file and no such preset", "falisse2022, lab_heel"]);
+        .says(&["no such file and no such preset", "falisse2022, moco-3d-walking, osim-rl, lab_heel"]);
     let drop = json_object(&dir.run("drop-test lab_heel --presets lab.toml --format json").succeeded());
     assert_eq!((number(&drop, "mass_kg"), number(&drop, "sphere_count")), (70.0, 4.0));
 }

@@ -216,6 +216,45 @@ pub fn falisse2022() -> Preset {
     }
 }
 
+/// The contacts of Moco's example of 3-D walking.
+///
+/// 85.3 kg on 6 spheres of R = 0.035 m with E₁* = 1 MPa, α = 2 s/m and OpenSim's smoothing.
+///
+/// ```
+/// let walker = contact_scaling::moco_3d_walking();
+/// assert_eq!((walker.scale.radius_m(), walker.scale.sphere_count()), (0.035, 6.0));
+/// ```
+pub fn moco_3d_walking() -> Preset {
+    let mass_kg = 85.269_848_541_731_48;
+    Preset {
+        name: "moco-3d-walking".into(),
+        source: "opensim-org/opensim-core: OpenSim/Examples/Moco/example3DWalking/\
+                 subject_walk_scaled_ContactForceSet.xml and its geometry (Apache-2.0)"
+            .into(),
+        scale: Scale::unchecked(ScaleValues { mass_kg, radius_m: 0.035, ..falisse2022().scale.values() }),
+        contact: falisse2022().contact,
+    }
+}
+
+/// The contacts of osim-rl's model gait9dof18musc, a `HuntCrossleyForce`.
+///
+/// 79.7 kg on 2 spheres of R = 0.05 m with E₁* = 0.6 MPa and α = 1.5 s/m.
+///
+/// ```
+/// let runner = contact_scaling::osim_rl();
+/// assert_eq!((runner.scale.sphere_count(), runner.contact.dissipation()), (2.0, 1.5));
+/// ```
+pub fn osim_rl() -> Preset {
+    let scale = ScaleValues { mass_kg: 79.6646, radius_m: 0.05, sphere_count: 2.0, gravity_m_s2: 9.80665 };
+    let contact = ContactValues { plane_strain_modulus: 6e5, dissipation: 1.5, smoothing: None };
+    Preset {
+        name: "osim-rl".into(),
+        source: "github.com/stanfordnmbl/osim-rl: osim/models/gait9dof18musc.osim (MIT)".into(),
+        scale: Scale::unchecked(scale),
+        contact: Contact::unchecked(contact),
+    }
+}
+
 /// The preset called `name`; `None` if there is none.
 ///
 /// ```
@@ -232,7 +271,8 @@ pub fn preset_names() -> impl Iterator<Item = &'static str> {
 }
 
 type MakePreset = fn() -> Preset;
-const PRESETS: [(&str, MakePreset); 1] = [("falisse2022", falisse2022)];
+const PRESETS: [(&str, MakePreset); 3] =
+    [("falisse2022", falisse2022), ("moco-3d-walking", moco_3d_walking), ("osim-rl", osim_rl)];
 
 #[cfg(test)]
 mod tests {
