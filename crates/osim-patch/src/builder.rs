@@ -6,7 +6,7 @@ use foldhash::{HashSet, HashSetExt};
 use osim_model::messages::Phrase;
 use osim_model::{
     DissipationBy, Fault, FaultKind, FileId, Finding, Force, ForceId, HalfSpace, Model, Property, SetId,
-    Slot, SphereId, Surfaces, ValueKey, radius_of_equal_volume, sphere_sets,
+    Slot, Sphere, SphereId, Surfaces, ValueKey, radius_of_equal_volume, sphere_sets,
 };
 
 use crate::change::{ChangedBy, NumberChange, PlaceChange, property_factor};
@@ -256,15 +256,24 @@ fn present_composite(
     surfaces: &Surfaces,
     property: Property,
 ) -> Result<f64, Fault> {
+    let pairs = plan.model.sphere_pairs(force);
+    let contacts: Result<Vec<SurfaceValues>, Fault> = if pairs.is_empty() {
+        sphere_sets(plan.model, force).into_iter().map(|(set, _)| surfaces.with_plane(set)).collect()
+    } else {
+        let set_with = |sphere: &Sphere| {
+            force.sets.iter().find(|set| set.spheres.contains(&sphere.id)).map(|set| set.id)
+        };
+        let sets = pairs.into_iter().filter_map(|[one, other]| set_with(one).zip(set_with(other)));
+        sets.map(|(one, other)| surfaces.mixed(one, other)).collect()
+    };
     let mut composites = Vec::new();
-    for (set, _) in sphere_sets(plan.model, force) {
-        let SurfaceValues { plane_strain_modulus, dissipation } = surfaces.with_plane(set)?;
+    for SurfaceValues { plane_strain_modulus, dissipation } in contacts? {
         composites.push(if property == Property::Stiffness { plane_strain_modulus } else { dissipation });
     }
     let first = composites.first().copied().unwrap_or(f64::NAN);
     if composites.iter().any(|other| (other - first).abs() > SAME_COMPOSITE_TOLERANCE * first.abs()) {
         return Err(Fault::refused(format!(
-            "the spheres of {} have different {property} against the plane: one wanted value cannot serve all; \
+            "the spheres of {} have different {property} against their other surface: one wanted value cannot serve all; \
              give each sphere a force of its own",
             force.path
         ))

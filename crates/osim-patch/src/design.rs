@@ -3,7 +3,7 @@
 
 use contact_scaling::{
     Contact, ContactValues, DomainError, Law, RatioValues, Ratios, SharedLoad, SmoothingValues, Spheres,
-    design as dimensioned, equilibrium, modulus, restitution, smoothing,
+    design as dimensioned, equilibrium, modulus, patch, restitution, smoothing,
 };
 use osim_model::messages::{Phrase, counted, phrase, readable};
 use osim_model::{
@@ -24,6 +24,8 @@ pub enum DesignModulus {
     /// A relative indentation x̂ under the load, by (11). For a smoothed force, the modulus is larger: (C.9) leaves only a
     /// share of the Hertz force at speed 0, and that share must carry the load.
     Indentation(f64),
+    /// A mean stress (N/m²) on the contact patch under the load, which gives x̂ by (15).
+    Stress(f64),
     /// By (A.1) and (A.5), a Young's modulus (N/m²) and Poisson's ratio on rigid ground.
     Young { young_n_m2: f64, poisson: f64 },
 }
@@ -96,6 +98,11 @@ pub fn design(model: &Model, selected: &Selected, wanted: &Design) -> Result<Pla
     let mut plan = PlanBuilder::new(model);
     let properties = PropertySet::default();
     let rule = wanted.radius_rule()?;
+    for force in selected.forces.iter().filter_map(|&id| model.force(id)) {
+        if !model.sphere_pairs(force).is_empty() {
+            wanted.refuse_for_pairs(force)?;
+        }
+    }
     let radii = Radii::plan(&mut plan, &selected.forces, |_| rule, 1.0, &properties)?;
     plan.findings.extend(model.remarks_on(&selected.forces));
     let mut rests = Vec::new();
@@ -103,9 +110,10 @@ pub fn design(model: &Model, selected: &Selected, wanted: &Design) -> Result<Pla
     let by = DissipationBy::Radius;
     for force in selected.forces.iter().filter_map(|&id| model.force(id)) {
         let by_radius =
-            RatioValues { mass: 1.0, sphere_count: 1.0, radius: radii.ratio(force), gravity: 1.0 };
+            RatioValues { mass: 1.0, sphere_count: 1.0, radius: radii.ratio(model, force), gravity: 1.0 };
         let own_ratios = Ratios::new(by_radius).map_err(Fault::new)?;
-        let sphere = DesignedForce { force, radius_m: radii.rms_new_radius(force), own_ratios };
+        let radius_m = radii.rms_pressed_radius(model, force);
+        let sphere = DesignedForce { force, radius_m, own_ratios };
         // If two forces share a sphere, the rest of one force alone means nothing.
         rests.extend(wanted.equilibrium_indentation(&plan, &sphere)?.filter(|_| !shared));
         for property in Property::ALL.into_iter().filter(|&property| properties.contains(property)) {
@@ -193,6 +201,21 @@ impl Design {
             }
             _ => Ok(SphereRadiusRule::Rule(self.radius)),
         }
+    }
+
+    /// Refuses what a force on pairs of spheres has no number for.
+    fn refuse_for_pairs(&self, force: &Force) -> Result<(), Fault> {
+        let needed = if self.contact_stiffness_n_m.is_some() {
+            "give radii in metres: a contact stiffness gives one radius, and a pair has two"
+        } else if self.target_mass.is_some() {
+            "give a load in newtons: a pair carries no body weight"
+        } else if self.restitution.is_some_and(|(_, speed)| speed.is_none()) {
+            "give an impact speed: the spheres do not fall on each other"
+        } else {
+            return Ok(());
+        };
+        let fault = Fault::refused(format!("{} presses spheres on each other: {needed}", force.path));
+        Err(fault.at_element(force.path.clone()).in_file(force.file))
     }
 
     /// Whether the design gives every property that the paper scales. A `HuntCrossleyForce` has no smoothing.
@@ -299,17 +322,27 @@ impl Design {
         speed_state: f64,
     ) -> Result<(f64, &'static str), Fault> {
         match modulus {
-            DesignModulus::Indentation(x) => {
+            DesignModulus::Young { young_n_m2, poisson } => {
+                Ok((modulus::stiffness_on_rigid_ground(young_n_m2, poisson).map_err(Fault::new)?, "A.5"))
+            }
+            DesignModulus::Indentation(x) | DesignModulus::Stress(x) => {
                 let Some(load) = &self.load else {
                     return Err(Fault::new(MissingFact::Load));
                 };
+                let is_stress = matches!(modulus, DesignModulus::Stress(_));
+                // (15) gives x̂ of a stress as it gives the stress of x̂.
+                let stressed = || patch::mean_stress(load.per_sphere_n(), radius_m, x).map_err(Fault::new);
+                let x = if is_stress { stressed()? } else { x };
                 let composite = dimensioned::composite_modulus(radius_m, x, load).map_err(Fault::new)?;
                 let composite = composite / speed_state;
+                let equation = match (is_stress, speed_state == 1.0) {
+                    (false, true) => "11",
+                    (false, false) => "11, C.9",
+                    (true, true) => "15, 11",
+                    (true, false) => "15, 11, C.9",
+                };
                 let equal = modulus::of_equal_surfaces(composite, modulus::MixingRule::Sherman);
-                Ok((equal.map_err(Fault::new)?, if speed_state == 1.0 { "11" } else { "11, C.9" }))
-            }
-            DesignModulus::Young { young_n_m2, poisson } => {
-                Ok((modulus::stiffness_on_rigid_ground(young_n_m2, poisson).map_err(Fault::new)?, "A.5"))
+                Ok((equal.map_err(Fault::new)?, equation))
             }
         }
     }
@@ -332,6 +365,9 @@ impl Design {
     fn wanted_in_words(&self) -> Vec<String> {
         let modulus = self.modulus.map(|modulus| match modulus {
             DesignModulus::Indentation(x) => format!("relative indentation {}", readable(x)),
+            DesignModulus::Stress(stress) => {
+                format!("mean stress {} N/m2, 1.5 times that at the middle", readable(stress))
+            }
             DesignModulus::Young { young_n_m2, poisson } => {
                 format!("Young's modulus {} N/m2, Poisson's ratio {poisson}", readable(young_n_m2))
             }

@@ -2,11 +2,12 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use contact_scaling::modulus;
 use foldhash::{HashMap, HashMapExt, HashSet};
 use osim_model::compare::ScaleFile;
 use osim_model::{
     Fault, Force, ForceId, LevelAxis, MissingFact, Model, Property, PropertySet, RadiusChangeReason,
-    RadiusRule, SphereId, moving_spheres, root_mean_square,
+    RadiusRule, Sphere, SphereId, moving_spheres, root_mean_square,
 };
 
 use crate::builder::{NewNumber, PlanBuilder};
@@ -49,14 +50,34 @@ impl Radii {
     }
 
     /// ρ, new radius over old, of one force: the common ratio of its spheres; if they differ, the ratio of the root mean
-    /// squares of the radii.
-    pub(crate) fn ratio(&self, force: &Force) -> f64 {
-        let pairs = self.radius_pairs(force);
+    /// squares of the radii. A force that presses spheres on each other has the radii R₁R₂/(R₁ + R₂).
+    pub(crate) fn ratio(&self, model: &Model, force: &Force) -> f64 {
+        let pairs = self.pressed(model, force);
         match pairs.split_first() {
             None => 1.0,
             Some((first, rest)) if rest.iter().all(|pair| pair.ratio == first.ratio) => first.ratio,
-            Some(_) => self.rms_new_radius(force) / root_mean_square(pairs.iter().map(|pair| pair.old)),
+            Some(_) => {
+                self.rms_pressed_radius(model, force) / root_mean_square(pairs.iter().map(|pair| pair.old))
+            }
         }
+    }
+
+    /// Root of the mean R² of the force's contacts after the change: R of each sphere, R₁R₂/(R₁ + R₂) of two spheres that press
+    /// each other.
+    pub(crate) fn rms_pressed_radius(&self, model: &Model, force: &Force) -> f64 {
+        root_mean_square(self.pressed(model, force).iter().map(|pair| pair.new))
+    }
+
+    fn pressed(&self, model: &Model, force: &Force) -> Vec<RadiusPair> {
+        let two = model.sphere_pairs(force);
+        if two.is_empty() {
+            return self.radius_pairs(force);
+        }
+        let change = |sphere: &Sphere| {
+            let stays = RadiusPair { old: sphere.radius.number, new: sphere.radius.number, ratio: 1.0 };
+            self.0.get(&sphere.id).copied().unwrap_or(stays)
+        };
+        two.into_iter().map(|pair| RadiusPair::of_two(pair.map(change))).collect()
     }
 
     /// All moving spheres of the chosen forces.
@@ -160,6 +181,15 @@ struct RadiusPair {
     old: f64,
     new: f64,
     ratio: f64,
+}
+
+impl RadiusPair {
+    /// Old and new R₁R₂/(R₁ + R₂) of two spheres.
+    fn of_two([one, other]: [Self; 2]) -> Self {
+        let composite = |one, other| modulus::composite_radius(one, other).unwrap_or(f64::NAN);
+        let (old, new) = (composite(one.old, other.old), composite(one.new, other.new));
+        Self { old, new, ratio: if one.ratio == other.ratio { one.ratio } else { new / old } }
+    }
 }
 
 impl SphereRadiusRule {

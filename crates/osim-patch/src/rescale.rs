@@ -2,7 +2,7 @@
 
 use contact_scaling::{RatioValues, Ratios};
 use osim_model::compare::ScaleFile;
-use osim_model::messages::{Input, Phrase, readable};
+use osim_model::messages::{Input, readable};
 use osim_model::{
     DissipationBy, Fault, ForceId, GravityFor, LevelAxis, Mass, MissingFact, Model, Property, PropertySet,
     RadiusRule, Scope, Selected, SetId, is_at_target, positive_mass,
@@ -160,7 +160,7 @@ pub fn rescale(model: &Model, selected: &Selected, wanted: &Rescale) -> Result<P
     }
     warn_forces(&mut plan, &selected.forces, &wanted.properties);
     for force in selected.forces.iter().filter_map(|&id| model.force(id)) {
-        let values = RatioValues { mass, sphere_count: 1.0, radius: radii.ratio(force), gravity };
+        let values = RatioValues { mass, sphere_count: 1.0, radius: radii.ratio(model, force), gravity };
         let ratios = Ratios::new(values).map_err(Fault::new)?;
         for set in &force.sets {
             scale_set(&mut plan, force.id, set.id, &ratios, wanted)?;
@@ -183,6 +183,9 @@ fn scale_set(
     for property in Property::ALL.into_iter().filter(|&property| wanted.properties.contains(property)) {
         let Some((factor, by)) = property_factor(property, ratios, wanted.dissipation_by) else { continue };
         if let Some(from) = plan.model.parameter(force, set, property)? {
+            if property == Property::Dissipation {
+                rules::remark_on_dissipation(&mut plan.remarks, ratios, from);
+            }
             plan.change_parameter(force, set, property, NewNumber::times(from, factor, by))?;
         }
     }
@@ -209,8 +212,7 @@ fn plan_with_note_and_remarks(
     radii: Option<&Radii>,
     gravity: GravityChange,
 ) -> Plan {
-    let PlanBuilder { model, changes, moves, findings, .. } = plan;
-    let mut remarks: Vec<Phrase> = Vec::new();
+    let PlanBuilder { model, changes, moves, findings, mut remarks, .. } = plan;
     let nothing = changes.is_empty() && moves.is_empty();
     if !nothing {
         if moves.is_empty() {

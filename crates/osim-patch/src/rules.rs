@@ -1,6 +1,7 @@
 //! Rules of the findings about changes.
 
-use osim_model::messages::{Input, Phrase, Verb, phrase, readable};
+use contact_scaling::Ratios;
+use osim_model::messages::{Input, Phrase, Verb, four_significant, phrase, readable};
 use osim_model::{
     Example, Finding, FindingCode, Force, ForceId, ForceKind, Mass, Property, PropertySet, Repair, Rule,
     Severity,
@@ -178,8 +179,42 @@ pub(crate) const REMARK_LEVEL_FEET: &str = "spheres move down, along the normal 
 pub(crate) fn warn_forces(plan: &mut PlanBuilder<'_>, forces: &[ForceId], properties: &PropertySet) {
     let model = plan.model;
     plan.findings.extend(model.remarks_on(forces));
+    let call = Verb::Design
+        .call_with_model()
+        .with_placeholder(Input::Load, "N")
+        .with_placeholder(Input::Spheres, "N");
+    let call = call.with_placeholder(Input::Indentation, "X").with_placeholder(Input::Restitution, "CR");
+    let call = call.with_placeholder(Input::ImpactSpeed, "M/S");
+    for force in forces.iter().filter_map(|&id| model.force(id)) {
+        if model.sphere_pairs(force).is_empty() {
+            continue;
+        }
+        plan.remarks.push(phrase![
+            "{} presses spheres on each other: here its force goes with body weight (10), its speed with gravity (14); for others: {}";
+            force.path.clone(), call.clone()
+        ]);
+    }
     let chosen = forces.iter().filter_map(|&id| model.force(id));
     plan.findings.extend(friction_not_similar(chosen, properties));
+}
+
+/// The two forms of (14) part where they differ by more than this factor.
+const SAME_DISSIPATION: f64 = 1.1;
+
+/// Adds a remark, once, if (14) by radius and (14) by mass give clearly different dissipations of a contact with the dissipation `from`.
+pub(crate) fn remark_on_dissipation(remarks: &mut Vec<Phrase>, ratios: &Ratios, from: f64) {
+    let [by_radius, by_mass] =
+        [ratios.dissipation(), ratios.dissipation_by_mass()].map(|factor| from * factor);
+    let apart = by_radius / by_mass;
+    let start = "(14) has two forms: ";
+    let is_new = !remarks.iter().any(|remark| remark.to_string().starts_with(start));
+    if is_new && (apart > SAME_DISSIPATION || apart * SAME_DISSIPATION < 1.0) {
+        remarks.push(phrase![
+            "{start}{} s/m by radius keeps the restitution after falls of equal height over radius, {} s/m by mass that at speeds in \
+             proportion to M^(1/6)";
+            four_significant(by_radius), four_significant(by_mass)
+        ]);
+    }
 }
 
 /// A remark on how far the lowest points of spheres move, if radii change and centres do not.

@@ -1,8 +1,12 @@
 //! Rules that also apply to changes, or that compare two sources. Rules about one model are in `osim-inspect`, rules about changes alone in
 //! `osim-patch` and `osim-planning`.
 
+use contact_scaling::modulus;
+
 use crate::messages::{Phrase, phrase, readable};
-use crate::model::{Example, Finding, FindingCode, Force, ForceId, Model, Repair, Rule, Severity, VerdictOn};
+use crate::model::{
+    Example, Finding, FindingCode, Force, ForceId, Model, Repair, Rule, Severity, Sphere, VerdictOn,
+};
 
 /// The rules of this crate.
 pub const RULES: &[&Rule] = &[
@@ -112,6 +116,18 @@ static MIXED_RADII: Rule = Rule {
 
 /// The remark that one set of parameters is for spheres of different radii.
 fn find_mixed_radii(model: &Model, force: &Force) -> Option<Finding> {
+    let pairs = model.sphere_pairs(force);
+    if !pairs.is_empty() {
+        let radius = |pair: [&Sphere; 2]| {
+            let [one, other] = pair.map(|sphere| sphere.radius.number);
+            modulus::composite_radius(one, other).ok()
+        };
+        let mut radii = pairs.into_iter().filter_map(radius);
+        let differ = radii.next().is_some_and(|first| radii.any(|radius| radius != first));
+        let text =
+            format!("{} has pairs of different R1 R2/(R1 + R2): the mean of its square is used", force.path);
+        return differ.then(|| Finding::at(&MIXED_RADII, force.line, text).with_place(&force.path));
+    }
     let set = force.sets.iter().find(|set| {
         let spheres = set.spheres.iter().filter_map(|&id| model.sphere(id));
         let mut radii = spheres.filter(|sphere| !sphere.fixed).map(|sphere| sphere.radius.number);

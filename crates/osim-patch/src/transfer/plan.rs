@@ -86,7 +86,7 @@ pub fn transfer(model: &Model, selected: &Selected, wanted: &Transfer) -> Result
             own: Ratios::new(RatioValues {
                 mass: 1.0,
                 sphere_count: 1.0,
-                radius: radii.ratio(force),
+                radius: radii.ratio(model, force),
                 gravity: 1.0,
             })
             .map_err(Fault::new)?,
@@ -135,6 +135,9 @@ impl TargetForce<'_> {
             let Some((factor, by)) = scaled else { continue };
             match self.reference_value(property) {
                 Some(value) => {
+                    if property == Property::Dissipation && wanted.rule == ScalingRule::Paper {
+                        rules::remark_on_dissipation(&mut plan.remarks, &self.ratios, value);
+                    }
                     let to = if factor == 1.0 { value } else { value * factor };
                     change_composite(plan, self.force.id, property, to, by)?;
                 }

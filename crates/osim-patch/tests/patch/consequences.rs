@@ -143,6 +143,27 @@ fn the_transition_velocity_of_a_hunt_crossley_force_is_the_forces_own() {
 }
 
 #[test]
+fn where_the_forms_of_14_part_a_remark_has_both() {
+    // From 10 to 190 kg, by hand: 2 s/m * 19^(-1/6) = 1.224 s/m by mass, and 2 s/m by the radius that stays.
+    let remarks = |kg: f64, rule: RadiusRule| {
+        let plan = plan_of_rescaling(ONE_FOOT, |wanted| {
+            wanted.target_mass_kg = kg;
+            wanted.radius = rule;
+        });
+        plan.remarks.iter().map(|remark| format!("{remark}\n")).collect::<String>()
+    };
+    let both = remarks(190.0, RadiusRule::Keep);
+    assert!(both.contains("2 s/m by radius") && both.contains("1.224 s/m by mass"), "{both}");
+    // The horse of Table 1: 545 kg on 15 mm from 62 kg on 32 mm, 2.921 and 1.392 s/m (mpmath).
+    let horse = remarks(10.0 * 545.0 / 62.0, RadiusRule::Factor(15.0 / 32.0));
+    assert!(horse.contains("2.921 s/m by radius") && horse.contains("1.392 s/m by mass"), "{horse}");
+    assert!(!remarks(190.0, RadiusRule::Isometric).contains("by radius"));
+    // 1.1^6 = 1.7716 is the largest ratio of masses without a remark where the radius stays.
+    assert!(!remarks(17.7, RadiusRule::Keep).contains("by radius"));
+    assert!(remarks(17.8, RadiusRule::Keep).contains("by radius"));
+}
+
+#[test]
 fn a_force_that_is_switched_off_is_named() {
     let off = ONE_FOOT.replace("<stiffness>", "<appliesForce>false</appliesForce><stiffness>");
     assert!(finding_codes(&plan_of_rescaling(&off, |_| ())).contains(&FindingCode::DisabledForce));

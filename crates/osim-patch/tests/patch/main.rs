@@ -12,6 +12,7 @@ mod extreme_numbers;
 mod given;
 mod notes;
 mod objects;
+mod pairs;
 mod plan;
 mod refusals;
 mod round_trip;

@@ -13,7 +13,7 @@ use contact_scaling::modulus::{self, SurfaceValues};
 use contact_scaling::{Contact, ContactValues, SmoothingValues};
 use foldhash::{HashMap, HashMapExt};
 
-use crate::model::components::ComponentId;
+use crate::model::components::{Carrier, ComponentId};
 use crate::model::{Fault, Model, Property};
 use crate::xml::opensim_text;
 pub use force::{Force, ForceId, ForceKind, ParameterSet, SetId, Slot, Sphere, SphereId};
@@ -203,6 +203,23 @@ pub fn moving_spheres(model: &Model, forces: &[ForceId]) -> Vec<SphereId> {
 }
 
 impl Model {
+    /// The pairs of spheres that `force` can press on each other: on different bodies, and not both fixed. Empty if the force has a
+    /// surface that is not a sphere.
+    pub fn sphere_pairs(&self, force: &Force) -> Vec<[&Sphere; 2]> {
+        let mut pairs = Vec::new();
+        if force.sets.iter().any(|set| set.half_spaces > 0 || !set.other_surfaces.is_empty()) {
+            return pairs;
+        }
+        let spheres: Vec<&Sphere> = force.spheres().into_iter().filter_map(|id| self.sphere(id)).collect();
+        for (index, &one) in spheres.iter().enumerate() {
+            let is_other = |other: &&Sphere| {
+                (one.base != other.base || one.base == Carrier::Unknown) && !(one.fixed && other.fixed)
+            };
+            pairs.extend(spheres.iter().skip(index + 1).copied().filter(is_other).map(|other| [one, other]));
+        }
+        pairs
+    }
+
     /// The moving spheres that several switched-on forces press on ground, with these forces, in file order.
     pub fn spheres_in_several_forces(&self) -> Vec<(&Sphere, Vec<&Force>)> {
         let mut users: BTreeMap<SphereId, Vec<&Force>> = BTreeMap::new();
