@@ -23,6 +23,10 @@ function results = design(varargin)
 %     speed_width: Width of the transition in speed, m/s, for hunt_crossley_smoothing (C.10). Takes a
 %         number.
 %     threshold: Threshold t that the widths refer to: from t to 1 - t [default: 0.05]. Takes a number.
+%     dimensionless_stiffness: Dimensionless stiffness k R n/F under the load, 1.5 or more: x/R is 3/(2
+%         K) (B.3). Takes a number.
+%     stress: Mean stress on the contact patch under the load, N/m2: x/R is F/(n pi R^2 stress) (15).
+%         Takes a number.
 %     load: Total load on all spheres, N. Takes a number.
 %     body_weights: The load in body weights [default: 1 where a mass is known]. Takes a number.
 %     gravity: Gravity, m/s2 [default: the model's, else 9.80665]. Takes a number.

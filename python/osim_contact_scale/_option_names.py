@@ -25,16 +25,16 @@ ChangingVerb = Literal[
 ROW_OPTIONS = frozenset({
     "angles", "belt", "belt_column", "body_map", "body_scale", "body_scale_file", "body_weights", "branch", "class",
     "constant_contact_force", "constant_indentation", "contact_stiffness", "contacts", "contacts_gravity",
-    "contacts_mass", "count", "default_pose", "dissipation_by", "dynamic_friction", "end", "exclude", "exclude_body",
-    "feet", "fit", "follow_bodies", "force", "force_column", "force_unit", "friction", "from", "geometry",
-    "geometry_dir", "geometry_output", "gravity", "height_in", "height_ratio", "hertz_smoothing",
+    "contacts_mass", "count", "default_pose", "dimensionless_stiffness", "dissipation_by", "dynamic_friction", "end",
+    "exclude", "exclude_body", "feet", "fit", "follow_bodies", "force", "force_column", "force_unit", "friction",
+    "from", "geometry", "geometry_dir", "geometry_output", "gravity", "height_in", "height_ratio", "hertz_smoothing",
     "hunt_crossley_smoothing", "impact_speed", "in_place", "indentation", "indentation_column", "indentation_unit",
     "keep", "level", "level_axis", "load", "loads", "low_pass", "mass", "mirror", "model", "motion", "moved_spheres",
     "no_backup", "no_note", "only", "onset", "output", "output_dir", "pad", "plates", "plates_delay", "poisson",
     "presets", "radius", "radius_axis", "reference_gravity", "reference_mass", "reference_select", "reference_sphere",
     "reference_spheres", "replace", "restitution", "rule", "select", "set", "skip_disabled", "sockets",
     "speed_column", "speed_unit", "speed_width", "spheres", "stance_limbs", "start", "state_width", "static_friction",
-    "stiffness", "strict", "target_gravity", "target_mass", "threshold", "time_column", "time_unit", "to",
+    "stiffness", "stress", "strict", "target_gravity", "target_mass", "threshold", "time_column", "time_unit", "to",
     "transition_velocity", "unbounded", "verb", "viscous_friction", "yes", "young",
 })
 

@@ -477,9 +477,9 @@ def convert(
 
 
 @overload
-def design(source: None = None, /, *, radius: float | str | None = None, indentation: float | None = None, contact_stiffness: float | None = None, young: float | None = None, poisson: float | None = None, stiffness: float | None = None, restitution: float | None = None, impact_speed: float | None = None, constant_indentation: float | None = None, state_width: float | None = None, speed_width: float | None = None, threshold: float | None = None, load: float | None = None, body_weights: float | None = None, gravity: float | None = None, contacts_mass: float | None = None, mass: float | None = None, exclude_body: str | Sequence[str] | None = None, spheres: int | None = None, stance_limbs: int | None = None, select: str | Sequence[str] | None = None, exclude: str | Sequence[str] | None = None, skip_disabled: bool = False, no_note: bool = False, yes: Question | Sequence[Question] | None = None, geometry: Source | None = None, model: Source | None = None) -> DesignSheet: ...
+def design(source: None = None, /, *, radius: float | str | None = None, indentation: float | None = None, contact_stiffness: float | None = None, young: float | None = None, poisson: float | None = None, stiffness: float | None = None, restitution: float | None = None, impact_speed: float | None = None, constant_indentation: float | None = None, state_width: float | None = None, speed_width: float | None = None, threshold: float | None = None, dimensionless_stiffness: float | None = None, stress: float | None = None, load: float | None = None, body_weights: float | None = None, gravity: float | None = None, contacts_mass: float | None = None, mass: float | None = None, exclude_body: str | Sequence[str] | None = None, spheres: int | None = None, stance_limbs: int | None = None, select: str | Sequence[str] | None = None, exclude: str | Sequence[str] | None = None, skip_disabled: bool = False, no_note: bool = False, yes: Question | Sequence[Question] | None = None, geometry: Source | None = None, model: Source | None = None) -> DesignSheet: ...
 @overload
-def design(source: Source, /, *, radius: float | str | None = None, indentation: float | None = None, contact_stiffness: float | None = None, young: float | None = None, poisson: float | None = None, stiffness: float | None = None, restitution: float | None = None, impact_speed: float | None = None, constant_indentation: float | None = None, state_width: float | None = None, speed_width: float | None = None, threshold: float | None = None, load: float | None = None, body_weights: float | None = None, gravity: float | None = None, contacts_mass: float | None = None, mass: float | None = None, exclude_body: str | Sequence[str] | None = None, spheres: int | None = None, stance_limbs: int | None = None, select: str | Sequence[str] | None = None, exclude: str | Sequence[str] | None = None, skip_disabled: bool = False, no_note: bool = False, yes: Question | Sequence[Question] | None = None, geometry: Source | None = None, model: Source | None = None) -> Result: ...
+def design(source: Source, /, *, radius: float | str | None = None, indentation: float | None = None, contact_stiffness: float | None = None, young: float | None = None, poisson: float | None = None, stiffness: float | None = None, restitution: float | None = None, impact_speed: float | None = None, constant_indentation: float | None = None, state_width: float | None = None, speed_width: float | None = None, threshold: float | None = None, dimensionless_stiffness: float | None = None, stress: float | None = None, load: float | None = None, body_weights: float | None = None, gravity: float | None = None, contacts_mass: float | None = None, mass: float | None = None, exclude_body: str | Sequence[str] | None = None, spheres: int | None = None, stance_limbs: int | None = None, select: str | Sequence[str] | None = None, exclude: str | Sequence[str] | None = None, skip_disabled: bool = False, no_note: bool = False, yes: Question | Sequence[Question] | None = None, geometry: Source | None = None, model: Source | None = None) -> Result: ...
 def design(
     source: Source | None = None,
     /,
@@ -496,6 +496,8 @@ def design(
     state_width: float | None = None,
     speed_width: float | None = None,
     threshold: float | None = None,
+    dimensionless_stiffness: float | None = None,
+    stress: float | None = None,
     load: float | None = None,
     body_weights: float | None = None,
     gravity: float | None = None,
@@ -542,6 +544,10 @@ def design(
         Width of the transition in speed, m/s, for hunt_crossley_smoothing (C.10)
     threshold : float, optional
         Threshold t that the widths refer to: from t to 1 - t.
+    dimensionless_stiffness : float, optional
+        Dimensionless stiffness k R n/F under the load, 1.5 or more: x/R is 3/(2 K) (B.3)
+    stress : float, optional
+        Mean stress on the contact patch under the load, N/m2: x/R is F/(n pi R^2 stress) (15)
     load : float, optional
         Total load on all spheres, N.
     body_weights : float, optional
@@ -590,7 +596,7 @@ def design(
     >>> ocs.design("fixtures/table1/human_62kg_smooth_sphere.osim", indentation=0.16)
     <Result of design: fixtures/table1/human_62kg_smooth_sphere.osim: 12 numbers to change>
     """
-    keywords = {"radius": radius, "indentation": indentation, "contact_stiffness": contact_stiffness, "young": young, "poisson": poisson, "stiffness": stiffness, "restitution": restitution, "impact_speed": impact_speed, "constant_indentation": constant_indentation, "state_width": state_width, "speed_width": speed_width, "threshold": threshold, "load": load, "body_weights": body_weights, "gravity": gravity, "contacts_mass": contacts_mass, "mass": mass, "exclude_body": exclude_body, "spheres": spheres, "stance_limbs": stance_limbs, "select": select, "exclude": exclude, "skip_disabled": skip_disabled or None, "no_note": no_note or None, "yes": yes, "geometry": geometry, "model": model}
+    keywords = {"radius": radius, "indentation": indentation, "contact_stiffness": contact_stiffness, "young": young, "poisson": poisson, "stiffness": stiffness, "restitution": restitution, "impact_speed": impact_speed, "constant_indentation": constant_indentation, "state_width": state_width, "speed_width": speed_width, "threshold": threshold, "dimensionless_stiffness": dimensionless_stiffness, "stress": stress, "load": load, "body_weights": body_weights, "gravity": gravity, "contacts_mass": contacts_mass, "mass": mass, "exclude_body": exclude_body, "spheres": spheres, "stance_limbs": stance_limbs, "select": select, "exclude": exclude, "skip_disabled": skip_disabled or None, "no_note": no_note or None, "yes": yes, "geometry": geometry, "model": model}
     return _run.design(source, keywords)  # type: ignore[no-any-return]
 
 

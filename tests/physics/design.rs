@@ -83,6 +83,40 @@ fn a_stiffness_and_an_indentation_give_radius_and_modulus() {
 }
 
 #[test]
+fn a_dimensionless_stiffness_or_a_stress_gives_the_indentation() {
+    // mpmath, 30 digits: both are those of the human of Table 1, with 1 MPa.
+    for given in ["--dimensionless-stiffness 4.2456816611706786", "--stress 89189.92238637382"] {
+        let human = format!("--mass 62 --spheres 6 --radius 0.032 --gravity 9.81 {given}");
+        let sheet = design_sheet(&human);
+        assert_figure(&sheet, "relative_indentation", 0.353_300_157_597_401_94, 1e-14);
+        assert_figure(&sheet, "stiffness", 1e6, 1e-13);
+        assert_figure(&sheet, "dimensionless_stiffness", 4.2456816611706786, 1e-14);
+        assert_figure(&sheet, "mean_contact_stress_n_m2", 89_189.922_386_373_82, 1e-14);
+        let run = TestDir::new().run(&format!("design {human}")).succeeded();
+        run.says(&["radius x1.811, stiffness x3.281, or 3.281 times as many spheres"]);
+    }
+    // In a model, under 62 kg on 6 spheres (mpmath).
+    for (wanted, expected, by) in [
+        ("--stress 200000", 3_357_927.494_706_776_7, "15, 11"),
+        ("--dimensionless-stiffness 4.246", 1_000_112.471_266_760_9, "11"),
+    ] {
+        let call = format!("human.osim {wanted} --restitution 0.75 --impact-speed 0.5");
+        let (stiffness, equation, _) = planned_stiffness(&call);
+        assert_close(stiffness, expected, 1e-12, wanted);
+        assert_eq!(equation, by);
+    }
+    assert_refused("--dimensionless-stiffness 1.4 --radius 0.03")
+        .says(&["--dimensionless-stiffness is 1.4", "1.5 or more"]);
+    assert_refused("--stress 2e5 --radius 0.03").says(&["--stress needs a load"]);
+    assert_refused("--stress 100 --radius 0.03 --load 50 --spheres 1").says(&["at most 1"]);
+    assert_refused("--stress 2e5 --indentation 0.1 --radius 0.03").says(&["--indentation", "--stress"]);
+    // By Hertz, the peak is 2 E* sqrt(x/R)/pi: 300 kPa for these 200 kPa (mpmath).
+    let sheet = design_sheet("--mass 62 --spheres 6 --radius 0.032 --stress 200000");
+    assert_figure(&sheet, "relative_indentation", 0.157_500_265_308_711_58, 1e-14);
+    assert_figure(&sheet, "composite_modulus_n_m2", 1_187_409.411_628_715, 1e-13);
+}
+
+#[test]
 fn design_multiplies_the_load_by_body_weights() {
     let sheet = design_sheet(
         "--mass 62 --body-weights 2.5 --spheres 6 --radius 0.032 --indentation 0.1 --gravity 9.81",

@@ -112,6 +112,21 @@ pub const TOUCHING_SHARE: Limit = Limit::at_most(
      \"does not have the issue\", have 0.074",
 );
 
+/// The factors that bring x̂ to [`INDENTATION`] under the same load: (x̂/0.16)^(3/4) on the radius alone, and (x̂/0.16)^(3/2) on
+/// modulus or number of spheres alone, without unit: (3), and the advice of section 4.3. `None` if x̂ is within the limit.
+///
+/// ```
+/// # use contact_scaling::limits;
+/// let [radius, modulus_or_count] = limits::growth_to_indentation_limit(0.3533).unwrap(); // every model of Table 1
+/// assert!((radius - 1.811).abs() < 5e-4 && (modulus_or_count - 3.281).abs() < 5e-4);
+/// assert_eq!(limits::growth_to_indentation_limit(0.16), None);
+/// ```
+pub fn growth_to_indentation_limit(relative_indentation: f64) -> Option<[f64; 2]> {
+    let excess = (relative_indentation / INDENTATION.value).sqrt();
+    let is_above = relative_indentation > 0.0 && !INDENTATION.admits(relative_indentation);
+    is_above.then(|| [excess * excess.sqrt(), excess * excess * excess])
+}
+
 /// Threshold t for the width of the contact transition, without unit: the width is from s_c = t to s_c = 1 − t (section C.2).
 pub const TRANSITION_SHARE: f64 = 0.05;
 

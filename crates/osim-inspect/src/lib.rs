@@ -54,7 +54,9 @@ pub use load::{
     unexplained_mass,
 };
 pub use quantity::Quantity;
-pub use rules::{describe_unmatched_patterns, find_misplaced_spheres, model_findings, rules};
+pub use rules::{
+    describe_unmatched_patterns, find_misplaced_spheres, model_findings, rules, ways_within_hertz,
+};
 #[cfg(feature = "schemas")]
 pub use serialized::ObjectSchema;
 pub use serialized::{FindingRecord, SCHEMA_VERSION};

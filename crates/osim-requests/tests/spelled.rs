@@ -55,7 +55,7 @@ const EXAMPLES: &str = r##"{
     "replace": true, "indentation": 0.16, "young": 1e6, "poisson": -0.25, "restitution": 0.5, "impact_speed": 0.4,
     "constant_indentation": 0.05, "state_width": 1e-6, "speed_width": 0.1, "threshold": 0.02, "static_friction": 0.8,
     "dynamic_friction": 0.7, "viscous_friction": 0.5, "transition_velocity": 0.2, "load": 608, "body_weights": 2,
-    "gravity": 1.62, "contact_stiffness": 1e16, "stiffness": 3067776, "constant_contact_force": 1e-5,
+    "gravity": 1.62, "contact_stiffness": 1e16, "dimensionless_stiffness": 4.25, "stress": 2e5, "stiffness": 3067776, "constant_contact_force": 1e-5,
     "hertz_smoothing": 300, "hunt_crossley_smoothing": 50, "full": true, "deny": "warning",
     "manifest": "masses 1.csv", "allow_outside": true, "grid": {"stiffness": "x0.1..x10/9", "indentation": [0.1, 0.2]}, "ladder": 5,
     "soft": 2.5, "point": 3, "subject": "a.osim", "height": "x0.5", "duration": 1.5, "samples": 501, "compare": "falisse2022",

@@ -1,7 +1,7 @@
 //! Rules about spheres that sink too deep into the floor under the body: up to their centres, or so deep that the Hertz law is not
 //! accurate.
 
-use contact_scaling::limits::INDENTATION;
+use contact_scaling::limits::{INDENTATION, growth_to_indentation_limit};
 use osim_model::messages::{Input, Phrase, Verb, four_significant, phrase, readable};
 use osim_model::{Example, Finding, FindingCode, Repair, Rule, Severity, VerdictOn, same_mass};
 use osim_requests::Request;
@@ -229,6 +229,15 @@ pub(super) fn find_beyond_hertz(check: &FigureCheck<'_>) -> Option<FindingWithRe
         "under body weight on one limb spheres sink in {x} R, and Hertz theory holds up to {limit} R"
     );
     Some(check.finding_at_sphere(&BEYOND_HERTZ, &text, &affected).into())
+}
+
+/// What brings spheres that sink in by `x` of their radius to the limit of Hertz' law, each change alone; `None` within the limit.
+pub fn ways_within_hertz(x: f64) -> Option<String> {
+    let [radius, stiffness] = growth_to_indentation_limit(x)?.map(four_significant);
+    let limit = INDENTATION.value;
+    Some(format!(
+        "one of these alone gives {limit} R: radius x{radius}, stiffness x{stiffness}, or {stiffness} times as many spheres"
+    ))
 }
 
 pub(super) static BEYOND_HERTZ_AT_TWO: Rule = Rule {

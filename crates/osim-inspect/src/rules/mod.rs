@@ -25,6 +25,7 @@ use crate::findings::{FindingWithRemedy, Remedies};
 use crate::floors::Floors;
 use crate::sides::BothSides;
 pub use contacts::describe_unmatched_patterns;
+pub use depth::ways_within_hertz;
 pub(crate) use figure_check::FigureCheck;
 pub use places::find_misplaced_spheres;
 

@@ -65,6 +65,7 @@ inputs! {
     DefaultPose = "default_pose", "global places are those of the default pose";
     Deny = "deny", "findings that count as a failure";
     Diff = "diff", "unified diff";
+    DimensionlessStiffness = "dimensionless_stiffness", "dimensionless stiffness";
     Dissipation = "dissipation", "dissipation";
     DissipationBy = "dissipation_by", "how dissipation follows";
     Dpi = "dpi", "pixels per inch";
@@ -160,6 +161,7 @@ inputs! {
     StateWidth = "state_width", "width of the contact transition over radius";
     StaticFriction = "static_friction", "static friction";
     Stiffness = "stiffness", "OpenSim's stiffness";
+    Stress = "stress", "mean stress";
     Strict = "strict", "refuse instead of warning";
     Summary = "summary", "summary file";
     Table = "table", "table to draw";

@@ -1,7 +1,7 @@
 //! The numbers that a design request without a model gives, before other numbers are computed from them.
 
 use contact_scaling::sizing::{KnownQuantities, Sizing, SizingError};
-use contact_scaling::{DomainError, SharedLoad, SmoothingValues, modulus, restitution, smoothing};
+use contact_scaling::{DomainError, SharedLoad, SmoothingValues, modulus, patch, restitution, smoothing};
 use osim_model::RadiusRule;
 use osim_model::messages::{Input, Phrase, phrase, readable};
 use osim_requests::options::WantedOptions;
@@ -19,6 +19,8 @@ pub(super) struct DesignInputs {
     pub(super) composite_modulus: Option<f64>,
     pub(super) modulus: ModulusSource,
     indentation: Option<f64>,
+    /// The input that determines the indentation.
+    pub(super) depth: Input,
     contact_stiffness: Option<f64>,
     /// Whether the load is one body weight, which the spheres carry in equilibrium.
     pub(super) is_body_weight: bool,
@@ -54,7 +56,7 @@ impl DesignInputs {
     ///
     /// The radius is relative to a model, or body weights are given without a mass.
     pub(super) fn new(request: &DesignRequest) -> Result<Self, RequestFault> {
-        let wanted = &request.wanted;
+        let wanted = &request.clone().with_indentation_of_stiffness()?.wanted;
         let radius_m = match wanted.radius() {
             None => None,
             Some(RadiusRule::Metres(metres)) => Some(metres),
@@ -86,15 +88,36 @@ impl DesignInputs {
             (None, None) => (None, ModulusSource::Sizing),
         };
         let load = request.load.load.map(Positive::get);
+        let spheres = request.counts.spheres.map(Count::get);
+        let load_n = load.or(weight);
+        let indentation = match (request.stress.map(Positive::get), load_n.zip(spheres), radius_m) {
+            (None, ..) => wanted.indentation.map(RelativeIndentation::get),
+            // (15) gives x/R of a stress as it gives the stress of x/R.
+            (Some(stress), Some((load, spheres)), Some(radius)) => {
+                Some(patch::mean_stress(load / spheres, radius, stress).map_err(domain_fault)?)
+            }
+            (Some(_), ..) => {
+                let message = phrase![
+                    "{} needs a load on a number of spheres, and {}";
+                    Input::Stress, Input::Radius.with_placeholder("METRES")
+                ];
+                return Err(RequestFault::refused(Input::Stress, message));
+            }
+        };
         Ok(Self {
             mass_kg,
-            spheres: request.counts.spheres.map(Count::get),
+            spheres,
             gravity_m_s2,
-            load_n: load.or(weight),
+            load_n,
             radius_m,
             composite_modulus,
             modulus,
-            indentation: wanted.indentation.map(RelativeIndentation::get),
+            indentation,
+            depth: match (request.stress, request.dimensionless_stiffness) {
+                (Some(_), _) => Input::Stress,
+                (None, Some(_)) => Input::DimensionlessStiffness,
+                (None, None) => Input::Indentation,
+            },
             contact_stiffness: wanted.contact_stiffness.map(Positive::get),
             is_body_weight: load.is_none() && request.load.body_weights() == 1.0,
         })
@@ -181,7 +204,8 @@ impl DesignInputs {
         let (input, given, follows): (Phrase, f64, f64) = match (quantity, self.modulus) {
             ("load", _) => ("the load on each sphere, N,".into(), given, follows),
             ("radius", _) => (Input::Radius.into(), given, follows),
-            ("indentation", _) => (Input::Indentation.into(), given, follows),
+            ("indentation", _) if self.depth == Input::Indentation => (self.depth.into(), given, follows),
+            ("indentation", _) => (phrase!["x/R by ", self.depth], given, follows),
             ("modulus", ModulusSource::Stiffness) => {
                 (Input::Stiffness.into(), surface(given), surface(follows))
             }

@@ -9,7 +9,7 @@ use contact_scaling::{
     Hertz, SharedLoad, SmoothSphere, SmoothingValues, limits, modulus, patch, restitution, smoothing,
     stiffness,
 };
-use osim_inspect::{Quantity, SCHEMA_VERSION};
+use osim_inspect::{Quantity, SCHEMA_VERSION, ways_within_hertz};
 use osim_model::Property;
 use osim_model::messages::{Input, phrase};
 use osim_requests::options::WantedOptions;
@@ -251,16 +251,25 @@ fn add_sizing(
     let smoothed = at_rest.is_some_and(AtRest::changes_force);
     sheet.add_at_rest(smoothed, DesignQuantity::LoadPerSphere, load_n, known.load_per_sphere_n.is_some());
     sheet.add(DesignQuantity::Radius, radius, known.radius_m.is_some());
-    let x_given = known.relative_indentation.is_some();
+    let x_given = known.relative_indentation.is_some() && inputs.depth == Input::Indentation;
     sheet.add_at_rest(smoothed, DesignQuantity::RelativeIndentation, x, x_given);
     sheet.add(DesignQuantity::Indentation, x * radius, false);
     add_moduli(sheet, sizing.composite_modulus_n_m2, inputs.modulus, smoothed)?;
     sheet.add_at_rest(smoothed, DesignQuantity::ContactStiffness, k, known.stiffness_n_m.is_some());
     let one = SharedLoad::new(load_n, 1.0).map_err(domain_fault)?;
     let dimensionless = stiffness::dimensionless(k, radius, &one).map_err(domain_fault)?;
-    sheet.add(DesignQuantity::DimensionlessStiffness, dimensionless, false);
+    sheet.add(
+        DesignQuantity::DimensionlessStiffness,
+        dimensionless,
+        inputs.depth == Input::DimensionlessStiffness,
+    );
     let stress = patch::mean_stress(load_n, radius, x).map_err(domain_fault)?;
-    sheet.add(DesignQuantity::MeanContactStress, stress, false);
+    sheet.add(DesignQuantity::MeanContactStress, stress, inputs.depth == Input::Stress);
+    if inputs.depth == Input::Stress {
+        let text =
+            "the stress is the mean over the contact patch; at its middle it is 1.5 times that by Hertz";
+        sheet.remarks.push(text.to_owned());
+    }
     let diameter = patch::diameter(x * radius, radius).map_err(domain_fault)?;
     sheet.add(DesignQuantity::ContactPatchDiameter, diameter, false);
     if let (Some(mass), Some(load), true) = (inputs.mass_kg, load, inputs.is_body_weight) {
@@ -272,6 +281,9 @@ fn add_sizing(
         sheet.add(DesignQuantity::EquilibriumFrequency, frequency, false);
     }
     sheet.remarks.extend(at_rest.and_then(AtRest::remark));
+    sheet
+        .remarks
+        .extend(ways_within_hertz(x).map(|ways| format!("Hertz' law is not accurate at this x/R: {ways}")));
     if x > 1.0 {
         let text = "a relative indentation above 1: the sphere is softer than its load allows";
         sheet.remarks.push(text.to_owned());

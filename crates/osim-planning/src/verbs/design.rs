@@ -18,6 +18,7 @@ use crate::remarks::remark_on_noted_limbs;
 
 pub(super) struct DesignPlanner {
     wanted: WantedOptions,
+    stress_n_m2: Option<f64>,
     load: LoadOptions,
     counts: CountOptions,
     selection: Selection,
@@ -40,8 +41,10 @@ pub(crate) fn prepare(request: DesignRequest) -> Result<PreparedChange, RequestF
 /// # Errors
 /// Options that have no effect, or contradict each other.
 pub(super) fn planner(request: DesignRequest) -> Result<DesignPlanner, RequestFault> {
+    let request = request.with_indentation_of_stiffness()?;
     refuse_useless_options(&request)?;
     Ok(DesignPlanner {
+        stress_n_m2: request.stress.map(Positive::get),
         selection: request.choice.selection(),
         masses: request.masses.request(),
         wanted: request.wanted,
@@ -52,6 +55,7 @@ pub(super) fn planner(request: DesignRequest) -> Result<DesignPlanner, RequestFa
 
 fn refuse_useless_options(request: &DesignRequest) -> Result<(), RequestFault> {
     let wanted = &request.wanted;
+    let wants_depth = wanted.indentation.is_some() || request.stress.is_some();
     let refused = |input, message| Err(RequestFault::refused(input, message));
     if request.masses.contacts_mass.is_some() {
         let why = phrase![
@@ -60,7 +64,7 @@ fn refuse_useless_options(request: &DesignRequest) -> Result<(), RequestFault> {
         ];
         return refused(Input::ContactsMass, why);
     }
-    if wanted.indentation.is_none() && (request.load.load.is_some() || request.load.body_weights.is_some()) {
+    if !wants_depth && (request.load.load.is_some() || request.load.body_weights.is_some()) {
         let why = phrase![
             "a load says nothing without {}: leave it out, or give the indentation that you want";
             Input::Indentation.with_placeholder("X")
@@ -79,12 +83,10 @@ fn refuse_useless_options(request: &DesignRequest) -> Result<(), RequestFault> {
         let why = phrase![Input::Stiffness, " is known, not designed: write it with ", call];
         return refused(Input::Stiffness, why);
     }
-    if wanted.indentation.is_some() && wanted.young.is_some() {
-        let why = phrase![
-            "{} and {} both say what the stiffness is: leave one out";
-            Input::Indentation, Input::Young
-        ];
-        return refused(Input::Indentation, why);
+    if wants_depth && wanted.young.is_some() {
+        let depth = if request.stress.is_some() { Input::Stress } else { Input::Indentation };
+        let why = phrase!["{} and {} both say what the stiffness is: leave one out"; depth, Input::Young];
+        return refused(depth, why);
     }
     if wanted.contact_stiffness.is_some() && (wanted.indentation.is_none() || wanted.radius.is_some()) {
         let why = phrase![
@@ -93,7 +95,7 @@ fn refuse_useless_options(request: &DesignRequest) -> Result<(), RequestFault> {
         ];
         return refused(Input::ContactStiffness, why);
     }
-    if !wanted.has_design() {
+    if !wanted.has_design() && request.stress.is_none() {
         return Err(RequestFault::general(phrase![
             "nothing is asked for: give for example {}, {} or {}";
             Input::Indentation.with_placeholder("X"), Input::Restitution.with_placeholder("CR"),
@@ -109,7 +111,7 @@ impl DesignPlanner {
         model: &Model,
         selected: &Selected,
     ) -> Result<(Option<SharedLoad>, Option<Mass>), Fault> {
-        if self.wanted.indentation.is_none() {
+        if self.wanted.indentation.is_none() && self.stress_n_m2.is_none() {
             return Ok((None, None));
         }
         let sharing = LoadSharing::of(model, &selected.forces);
@@ -154,10 +156,13 @@ impl DesignPlanner {
         let young = options.young.map(Positive::get).zip(options.poisson.map(PoissonRatio::get));
         let width = |width: Option<Positive>| width.map(|width| (options.threshold.get(), width.get()));
         let wanted = Design {
-            modulus: match (options.indentation.map(RelativeIndentation::get), young) {
-                (Some(x), _) => Some(DesignModulus::Indentation(x)),
-                (None, Some((young_n_m2, poisson))) => Some(DesignModulus::Young { young_n_m2, poisson }),
-                (None, None) => None,
+            modulus: match (options.indentation.map(RelativeIndentation::get), self.stress_n_m2, young) {
+                (Some(x), ..) => Some(DesignModulus::Indentation(x)),
+                (None, Some(stress), _) => Some(DesignModulus::Stress(stress)),
+                (None, None, Some((young_n_m2, poisson))) => {
+                    Some(DesignModulus::Young { young_n_m2, poisson })
+                }
+                (None, None, None) => None,
             },
             load,
             restitution: options

@@ -309,6 +309,8 @@ pub(super) fn entry_of(field: Field<'_>, verb: Verb) -> Option<Entry> {
     }
     WANTED_GROUP => {
         Indentation = value("X").under_if(is(&[Add]), NUMBERS_GROUP), "Relative indentation x/R under the load, 0 to 1 (11)";
+        DimensionlessStiffness = value("K"), "Dimensionless stiffness k R n/F under the load, 1.5 or more: x/R is 3/(2 K) (B.3)";
+        Stress = value("N/M2"), "Mean stress on the contact patch under the load, N/m2: x/R is F/(n pi R^2 stress) (15)";
         Young = value("E").under_if(is(&[Add]), NUMBERS_GROUP).rare(), "Young's modulus, N/m2 (A.1, A.5)";
         Poisson = value("NU").signed().under_if(is(&[Add]), NUMBERS_GROUP).rare(), "Poisson's ratio";
         Restitution = value("CR").under_if(is(&[Add]), NUMBERS_GROUP), "Coefficient of restitution, 0 to 1 (13)";

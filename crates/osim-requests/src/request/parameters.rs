@@ -3,20 +3,24 @@
 use std::path::PathBuf;
 
 use contact_scaling::fit::FittedBranch;
+use osim_model::messages::{Input, phrase};
 
+use crate::RequestFault;
 use crate::options::{
     AnswerOptions, CountOptions, ForceOptions, LoadOptions, MassOptions, OutputOptions, RunOptions, SetFiles,
     WantedOptions,
 };
 use crate::request::inspect::AngleChoice;
 use crate::values::serial::{choices, fields};
-use crate::values::{ContactOnset, Count, Positive, Signed, path};
+use crate::values::{ContactOnset, Count, Positive, RelativeIndentation, Signed, path};
 
 fields! {
     /// Finds parameters from what is wanted: indentation, stiffness, restitution.
     struct DesignRequest {
         models: Vec<PathBuf> as "path::List",
         wanted: ..WantedOptions,
+        dimensionless_stiffness: Option<Positive>,
+        stress: Option<Positive>,
         load: ..LoadOptions,
         masses: ..MassOptions,
         counts: ..CountOptions,
@@ -25,7 +29,9 @@ fields! {
         run: ..RunOptions,
         answers: ..AnswerOptions,
         set_files: ..SetFiles,
-    }
+    } where
+        Excludes("dimensionless_stiffness", "indentation"), Excludes("stress", "indentation"),
+        Excludes("stress", "dimensionless_stiffness");
 
     /// Finds contact parameters from a measured indentation and force, or those of a model from recordings of its gait.
     struct FitRequest {
@@ -177,6 +183,25 @@ impl TimeUnit {
             Self::S => 1.0,
             Self::Ms => 1e-3,
         }
+    }
+}
+
+impl DesignRequest {
+    /// The request with the indentation x/R = 3/(2 k̂) in the place of the dimensionless stiffness k̂ (B.3).
+    ///
+    /// # Errors
+    /// k̂ is below 1.5, so that x/R would be above 1.
+    pub fn with_indentation_of_stiffness(mut self) -> Result<Self, RequestFault> {
+        let Some(stiffness) = self.dimensionless_stiffness.take() else { return Ok(self) };
+        let indentation = RelativeIndentation::new(1.5 / stiffness.get()).map_err(|_| {
+            let why = phrase![
+                "{} is {}, expected 1.5 or more: x/R is 3/(2 K), at most 1";
+                Input::DimensionlessStiffness, stiffness.to_string()
+            ];
+            RequestFault::refused(Input::DimensionlessStiffness, why)
+        })?;
+        self.wanted.indentation = Some(indentation);
+        Ok(self)
     }
 }
 
