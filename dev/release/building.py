@@ -63,8 +63,8 @@ def program(target, target_directory, *, static, names=False):
     command = ["cargo", "rustc", "--release", "--locked", "--package", COMMAND, "--bin", COMMAND]
     flags = ["-C", "lto=fat"]
     flags += ["-C", "target-feature=+crt-static"] if static and ("linux" in target or "windows" in target) else []
-    # Of the places that the start of a static program fills in, a list that is a megabyte shorter, which glibc 2.36 and later read.
-    flags += ["-C", "link-arg=-Wl,-z,pack-relative-relocs"] if static and "linux" in target else []
+    # At a fixed place in memory its start fills in no addresses, which took a sixth of the time of one small model.
+    flags += ["-C", "relocation-model=static"] if static and "linux" in target else []
     flags += [] if names else ["-C", "strip=symbols"]
     subprocess.run([*command, "--", *flags], cwd=ROOT, check=True, env=environment(target))
     return Path(target_directory) / target / "release" / (COMMAND + (".exe" if "windows" in target else ""))
