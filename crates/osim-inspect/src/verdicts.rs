@@ -161,9 +161,9 @@ pub(crate) fn answer_all(
 fn answer_question(on: VerdictOn, inspected: &InspectedModel<'_>, findings: &[FindingWithRemedy]) -> Verdict {
     let mut deciding: Vec<&FindingWithRemedy> =
         findings.iter().filter(|found| found.rule.verdict == Some(on)).collect();
-    // Of two that are equally bad, the mass comes first, because the depth follows from it.
+    // Of two that are equally bad, masses of bodies come first, because the others follow from them.
     let rank = |code| match code {
-        FindingCode::MasslessBody => 0,
+        FindingCode::MasslessBody | FindingCode::HeavyFoot => 0,
         FindingCode::ContactsOfAnotherMass => 1,
         _ => 2,
     };

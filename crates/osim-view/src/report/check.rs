@@ -110,9 +110,15 @@ impl<'c> AnswerRows<'c> {
             } else if verdict.sign == Sign::Unknown {
                 rows.unknown.entry(text).or_default().push(on);
             } else {
-                let findings: Vec<_> = about().filter(|finding| !is_as_published(finding)).collect();
-                let place = verdict.place.as_deref();
-                rows.bad.push(AnswerRow { sign: verdict.sign, on, text: row_text(text, place, &findings) });
+                let mut findings: Vec<_> = about().filter(|finding| !is_as_published(finding)).collect();
+                findings.sort_by_key(|own| verdict.codes.iter().position(|code| *code == own.code()));
+                // The answer has the text of the worst finding, which may be as published.
+                let other = findings.first().filter(|own| verdict.codes.first() != Some(&own.code()));
+                let (sign, text, place) = match other {
+                    Some(own) => (own.severity.into(), own.message.to_string(), own.place.as_deref()),
+                    None => (verdict.sign, text, verdict.place.as_deref()),
+                };
+                rows.bad.push(AnswerRow { sign, on, text: row_text(text, place, &findings) });
             }
         }
         let files = found.findings.iter().filter(|finding| finding.rule.verdict.is_none());
