@@ -272,10 +272,28 @@ impl Components {
     }
 
     pub(crate) fn unresolved(&self, owner: ComponentId, connectee: &str, wanted: &'static str) -> Fault {
-        let path = self.tree.path(owner);
-        let kind = FaultKind::Unresolved { owner: path.clone(), connectee: connectee.to_owned(), wanted };
+        let (path, connectee) = (self.tree.path(owner), connectee.to_owned());
+        let unread = self.unread_object(self.file_of(owner), &connectee);
+        let kind = FaultKind::Unresolved { owner: path.clone(), connectee, wanted, unread };
         let span = self.doc(owner).tree().open_span(self.element(owner));
         Fault::at_span(kind, span).at_element(path).in_file(self.file_of(owner))
+    }
+
+    /// The line and the class of the first object of a file with the last name of `connectee` that OpenSim does not read: its class is
+    /// unknown, or it stands in the wrong place.
+    fn unread_object(&self, file: FileId, connectee: &str) -> Option<(usize, String)> {
+        let name = connectee.rsplit('/').next().filter(|name| !name.is_empty())?;
+        let tree = self.document(file).tree();
+        let mut found = None;
+        tree.walk(self.document(file).data_root(), |id| {
+            let is_meant = found.is_none()
+                && self.at(file, id).is_none()
+                && tree.attribute(id, "name").is_some_and(|own| own == name);
+            found = found.or(is_meant.then_some(id));
+            found.is_none()
+        });
+        let line = |id| self.document(file).line(tree.span(id).start);
+        found.map(|id| (line(id), tree.name(id).to_owned()))
     }
 
     /// Line of an object's start tag in its file.

@@ -48,8 +48,9 @@ pub enum FaultKind {
     /// The model has no contacts. `detail` says what is missing, as the beginning of a sentence; with `replaces`, new contacts have to
     /// replace those of another class.
     NoContacts { detail: String, replaces: bool },
-    /// A path or name, `connectee` in the file, to which no component belongs.
-    Unresolved { owner: String, connectee: String, wanted: &'static str },
+    /// A path or name, `connectee` in the file, to which no component belongs. `unread`: the line and the class of an object of that name
+    /// that OpenSim does not read.
+    Unresolved { owner: String, connectee: String, wanted: &'static str, unread: Option<(usize, String)> },
     /// The socket of a force leads to `connectee`, contact geometry of a class that it does not take.
     OtherSurface { owner: String, connectee: String, class: String, expected: String },
     /// The caller has to give a missing fact.
@@ -215,7 +216,7 @@ impl FaultKind {
                 format!("the document holds a <{tag}>, expected a Model, a ForceSet or a ContactGeometrySet")
             }
             Self::Number { property, text, fault } => {
-                format!("{property} is '{text}', {}", number_hint(fault))
+                format!("{property} is '{text}', {}", number_hint(property, fault))
             }
             Self::BrokenText { property } => format!(
                 "{property} has a comment or element in the middle of its text, which OpenSim cannot read: remove it"
@@ -227,7 +228,7 @@ impl FaultKind {
                 let value = readable(*value);
                 format!("the new {property} is {value}, expected {expected}: it comes from {origin}")
             }
-            Self::Unresolved { owner, connectee, wanted } if connectee.is_empty() => {
+            Self::Unresolved { owner, connectee, wanted, .. } if connectee.is_empty() => {
                 format!("{owner} names nothing: a name or path is empty, expected the {wanted}")
             }
             Self::OtherSurface { owner, connectee, class, expected } => {
@@ -236,7 +237,11 @@ impl FaultKind {
                     if is_other_socket { ": the sockets of sphere and half-space are exchanged" } else { "" };
                 format!("{owner}: '{connectee}' is a {class}, expected a {expected}{why}")
             }
-            Self::Unresolved { owner, connectee, wanted } => {
+            Self::Unresolved { owner, connectee, unread: Some((line, class)), .. } => format!(
+                "{owner}: OpenSim does not read the {class} that '{connectee}' names, in line {line}: its class is unknown, \
+                 or it is outside of the set that counts"
+            ),
+            Self::Unresolved { owner, connectee, wanted, .. } => {
                 format!("{owner}: nothing called '{connectee}' is in the file, expected the {wanted}")
             }
             Self::IncludedFile { path, file } => format!(
@@ -282,8 +287,11 @@ impl From<DomainError> for FaultKind {
     }
 }
 
-fn number_hint(fault: &NumberFault) -> String {
+fn number_hint(property: &str, fault: &NumberFault) -> String {
     match fault {
+        NumberFault::Empty | NumberFault::Unreadable if property == "mass" => {
+            "expected a number: OpenSim refuses the model".to_owned()
+        }
         NumberFault::Empty => "expected a number: OpenSim silently takes its default here".to_owned(),
         NumberFault::Prefix { opensim_reads } => {
             format!(
