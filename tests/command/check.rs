@@ -81,6 +81,7 @@ const CASES_OF_ONE_FILE: &[Case] = triggers! {
     "floor-upright": "check/floor_upright.osim",
     "floor-on-limb": "check/floor_on_limb.osim",
     "floor-slopes": "check/floor_slopes.osim",
+    "floor-step": "check/floor_step.osim",
     "connectee-by-name": "format/connectee_bare.osim",
     "socket-nowhere": "bad/socket_of_joint.osim",
     "body-without-joint": "bad/body_without_joint.osim",

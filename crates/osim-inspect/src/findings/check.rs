@@ -5,8 +5,8 @@
 use std::cell::LazyCell;
 
 use osim_model::{
-    Finding, FindingCode, ForceId, MassRequest, MassSource, Model, Question, Selection, Severity, Suspicion,
-    same_mass,
+    Finding, FindingCode, ForceId, MassRequest, MassSource, Model, Property, Question, Selection, Severity,
+    Suspicion, same_mass,
 };
 use osim_requests::options::{AnswerOptions, ForceOptions, MassOptions};
 use osim_requests::{Kilograms, Request, RescaleRequest};
@@ -73,10 +73,16 @@ fn find_all(
     let one_modulus = model.remarks_on(&chosen).iter().any(shares_a_modulus);
     let mut remedies = Remedies::new(inspected, one_modulus, changeable.numbers, options)
         .with_radius_changes(!changeable.numbers || changeable.radii);
-    // A command that makes contacts right for the present mass would hide that a body has lost its own.
+    // A command that makes contacts right for what is wrong elsewhere would hide the fault.
     let has_finding = |code| model_findings(model).iter().any(|finding| finding.code() == code);
     let has_loose_body = has_finding(FindingCode::BodyWithoutJoint);
-    if has_loose_body || has_finding(FindingCode::MasslessBody) {
+    let causes = [FindingCode::MasslessBody, FindingCode::HeavyFoot, FindingCode::MisplacedObject];
+    let odd_gravity = floors::find_odd_gravity(model, &Floors::of(model));
+    if has_loose_body
+        || causes.into_iter().any(has_finding)
+        || odd_gravity.is_some_and(|finding| finding.severity > Severity::Remark)
+        || are_numbers_exchanged(model)
+    {
         remedies = remedies.none_yet();
     }
     let places = SpherePlaces::of(model, inspected);
@@ -141,6 +147,18 @@ fn are_spheres_odd(model: &Model) -> bool {
         FindingCode::DoubledSpheres,
     ];
     model_findings(model).iter().any(|finding| codes.contains(&finding.code()))
+}
+
+/// Whether a contact has more dissipation, s/m, than stiffness, N/m²: one was written in the place of the other. A stiffness that OpenSim
+/// takes by default is left out.
+fn are_numbers_exchanged(model: &Model) -> bool {
+    const MOST_DISSIPATION_S_M: f64 = 1e3;
+    let mut sets = model.forces().iter().flat_map(|force| &force.sets);
+    sets.any(|set| {
+        let number = |property| set.value(property).map(|value| value.number);
+        let numbers = number(Property::Dissipation).zip(number(Property::Stiffness));
+        numbers.is_some_and(|(dissipation, stiffness)| dissipation > stiffness.max(MOST_DISSIPATION_S_M))
+    })
 }
 
 /// All findings about the model, except those about the figures of its spheres.

@@ -1,7 +1,8 @@
 //! Rules about floors that are turned wrongly, that slope, or that are on the body which stands on them; and about gravity that is absent,
 //! in another unit, or not towards the floor.
 
-use osim_model::messages::{Input, phrase, readable, shown, three_significant};
+use osim_model::feet::{ContactPlane, STEEPEST_FLOOR_RAD};
+use osim_model::messages::{Input, four_significant, phrase, readable, shown, three_significant};
 use osim_model::{
     Example, Finding, FindingCode, GravityFor, MissingFact, Model, Repair, Rule, Severity, VerdictOn,
     same_gravity,
@@ -131,6 +132,47 @@ fn slope_finding(judged: &JudgedPlane) -> Option<Finding> {
     Some(Finding::at(&FLOOR_SLOPES, plane.line, text).with_place(&plane.path))
 }
 
+pub(super) static FLOOR_STEP: Rule = Rule {
+    code: FindingCode::FloorStep,
+    severity: Severity::Remark,
+    verdict: Some(VerdictOn::Floor),
+    what: "Two floors that face the same way are at different heights.",
+    why: "Each sphere presses only on the floors of its own force. A step or a platform is right; a floor that was moved by mistake leaves one foot in the air, or inside the ground.",
+    advice: "Nothing, if a step is intended; else give both floors the same location",
+    repair: Repair::NotPossible("only you know whether a step is intended"),
+    example: Example::Models { good: "format/two_floors.osim", bad: "check/floor_step.osim" },
+};
+
+/// Floors face the same way if the cosine of the angle between them is larger than this, which is 1 degree.
+const SAME_DIRECTION: f64 = 0.99985;
+/// Floors whose heights differ by no more than this, m, are one floor.
+const SAME_FLOOR_M: f64 = 1e-3;
+
+/// One finding for the floor that is highest above the first floor, or lowest below it.
+pub(super) fn find_step(floors: &Floors) -> Vec<Finding> {
+    let is_floor =
+        |judged: &&JudgedPlane| matches!(judged.kind, PlaneJudgement::Fine | PlaneJudgement::Slope(_));
+    let surface_of = |plane: &ContactPlane| plane.surface.filter(|own| own.tilt_rad <= STEEPEST_FLOOR_RAD);
+    let mut planes = floors.iter().filter(is_floor).map(|judged| &judged.plane);
+    let Some((first, base)) = planes.find_map(|plane| Some((plane, surface_of(plane)?))) else {
+        return Vec::new();
+    };
+    let step = |plane| {
+        let surface = surface_of(plane)?;
+        let height_m = (surface.point_m - base.point_m).dot(base.normal);
+        let is_step = surface.normal.dot(base.normal) > SAME_DIRECTION && height_m.abs() > SAME_FLOOR_M;
+        is_step.then_some((height_m, plane))
+    };
+    let largest = planes.filter_map(step).max_by(|(a, _), (b, _)| a.abs().total_cmp(&b.abs()));
+    let finding = |(height_m, plane): (f64, &ContactPlane)| {
+        let mm = four_significant(1e3 * height_m.abs());
+        let word = if height_m > 0.0 { "higher" } else { "lower" };
+        let text = format!("{} is {mm} mm {word} than {}", shown(&plane.name), shown(&first.name));
+        Finding::at(&FLOOR_STEP, plane.line, text).with_place(&plane.path)
+    };
+    largest.map(finding).into_iter().collect()
+}
+
 pub(crate) static NO_GRAVITY: Rule = Rule {
     code: FindingCode::NoGravity,
     severity: Severity::Error,
@@ -206,17 +248,18 @@ pub(crate) static ODD_GRAVITY: Rule = Rule {
     example: Example::ElementText { tag: "gravity", good: "0 -9.81 0", bad: "0 -32.17 0" },
 };
 
-/// Finds a gravity that is unlike the Earth's, unless the note says that the contacts are made for it.
+/// Finds a gravity that is unlike the Earth's. One that a planet or a moon has is right if the note says that the contacts are made for it.
 pub(crate) fn find_odd_gravity(model: &Model, floors: &Floors) -> Option<Finding> {
     let size = model.gravity().filter(|size| *size > 0.0 && *size <= LARGEST_GRAVITY && floors.are_any())?;
-    let is_noted =
-        model.note.as_ref().and_then(|note| note.gravity_m_s2).is_some_and(|noted| same_gravity(noted, size));
+    let of_a_place = KNOWN_GRAVITY.contains(&size);
+    let noted = model.note.as_ref().and_then(|note| note.gravity_m_s2);
+    let is_noted = of_a_place && noted.is_some_and(|noted| same_gravity(noted, size));
     if is_noted || (LEAST_GRAVITY_ON_EARTH..=*KNOWN_GRAVITY.end()).contains(&size) {
         return None;
     }
     let text = format!("gravity is {} m/s2, that of the Earth 9.81 m/s2", readable(size));
     let finding = Finding::new(&ODD_GRAVITY, text).with_line(model.gravity_line());
-    Some(if KNOWN_GRAVITY.contains(&size) { finding.with_severity(Severity::Remark) } else { finding })
+    Some(if of_a_place { finding.with_severity(Severity::Remark) } else { finding })
 }
 
 pub(crate) static GRAVITY_NOT_DOWN: Rule = Rule {

@@ -131,6 +131,7 @@ static FLOOR_RULES: Table<fn(&Floors) -> Vec<Finding>> = &[
     (&[&floors::FLOOR_UPRIGHT], floors::find_upright),
     (&[&floors::FLOOR_ON_LIMB], floors::find_on_limb),
     (&[&floors::FLOOR_SLOPES], floors::find_slopes),
+    (&[&floors::FLOOR_STEP], floors::find_step),
 ];
 
 /// Rules about the figures of spheres.

@@ -103,6 +103,7 @@ codes! {
     FloorUpright = "floor-upright",
     FloorOnLimb = "floor-on-limb",
     FloorSlopes = "floor-slopes",
+    FloorStep = "floor-step",
     OutOfDomain = "out-of-domain",
     BeyondHertz = "beyond-hertz",
     BeyondHertzAtTwo = "beyond-hertz-at-two",
