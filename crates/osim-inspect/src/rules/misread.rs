@@ -3,11 +3,11 @@
 use osim_model::opensim_text::{self, plain_numbers};
 use osim_model::{
     Document, ElementId, Example, FileId, Finding, FindingCode, ForceKind, LAST_VERSION_WITH_IS_DISABLED,
-    Model, Repair, Rule, Severity, Value, VerdictOn,
+    Model, Property, Repair, Rule, Severity, Value, VerdictOn,
 };
 
 use crate::rules::numbers::is_default_stiffness;
-use crate::rules::unread::{find_unknown_children, known_children};
+use crate::rules::unread::{MeantNames, find_unknown_children, known_children};
 
 /// A function that describes the fault of a value, in words that follow the name of the value; `None` if the value has no fault.
 type DescribeValue = fn(&Value) -> Option<String>;
@@ -128,7 +128,7 @@ fn written_properties(class: &str) -> &'static [WrittenProperties] {
 /// Finds texts of numbers and flags that OpenSim reads as other values than are written, or that are not finite. OpenSim silently takes its
 /// default if it cannot read a text.
 pub(super) fn find_in_texts(model: &Model) -> Vec<Finding> {
-    let (mut found, mut children) = (Vec::new(), Vec::new());
+    let (mut found, mut children, mut meant) = (Vec::new(), Vec::new(), MeantNames::default());
     let components = model.components();
     for (id, component) in components.tree.iter() {
         let tag = components.tag(id);
@@ -155,7 +155,7 @@ pub(super) fn find_in_texts(model: &Model) -> Vec<Finding> {
             }
             if known_children(document, element).is_none() || class == "Model" {
                 let known: Vec<&str> = all.iter().flat_map(|(tags, ..)| tags.iter().copied()).collect();
-                found.extend(find_unknown_children(model, component.file, element, &known));
+                found.extend(find_unknown_children(model, component.file, element, (&known, &mut meant)));
             }
             children.clear();
             children.extend(tree.children(element).map(|child| (tree.name(child), child)));
@@ -227,7 +227,16 @@ fn misread_text(
         let inherited = || form.read(&document.tree().raw_text(inherited()?).text);
         form.read(&raw.text).or_else(inherited).or(default.map(str::to_owned))
     });
-    let meaning = match read.flatten() {
+    let read = read.flatten();
+    // Commas between numbers that are the default change nothing.
+    let numbers =
+        |text: &str| old_words(text).into_iter().map(|word| word.parse().ok()).collect::<Option<Vec<f64>>>();
+    if let (Numbers(_), Some(read)) = (form, &read)
+        && numbers(&raw.text).is_some_and(|meant| numbers(read) == Some(meant))
+    {
+        return None;
+    }
+    let meaning = match read {
         Some(read) => format!("which OpenSim reads as {read}"),
         None => "with which OpenSim refuses the model".to_owned(),
     };
@@ -350,7 +359,12 @@ pub(super) static ODD_NUMBER: Rule = Rule {
 
 /// What is odd about the writing of a value, in words that follow the name of the value.
 fn describe_odd_number(value: &Value) -> Option<String> {
-    value.fault.is_some().then(|| format!("is '{}', which OpenSim reads as {}", value.text, value.number))
+    let meaning = match value.property {
+        // The default is not a number.
+        Property::Mass if value.number.is_nan() => "with which OpenSim refuses the model".to_owned(),
+        _ => format!("which OpenSim reads as {}", value.number),
+    };
+    value.fault.is_some().then(|| format!("is '{}', {meaning}", value.text))
 }
 
 pub(super) static OUT_OF_DOMAIN: Rule = Rule {

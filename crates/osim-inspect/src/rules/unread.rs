@@ -274,10 +274,10 @@ fn path_of_component(model: &Model, file: FileId, element: ElementId) -> String 
 fn find_unknown_names_in(model: &Model, file: FileId) -> Vec<Finding> {
     let document = model.file(file);
     let tree = document.tree();
-    let mut found = Vec::new();
+    let (mut found, mut meant) = (Vec::new(), MeantNames::new());
     tree.walk(document.data_root(), |id| {
         let Some(known) = known_children(document, id) else { return false };
-        found.extend(find_unknown_children(model, file, id, known));
+        found.extend(find_unknown_children(model, file, id, (known, &mut meant)));
         found.extend(ignored_flag(document, id).map(|flag| {
             let path = path_of_component(model, file, id);
             let text = format!(
@@ -291,18 +291,23 @@ fn find_unknown_names_in(model: &Model, file: FileId) -> Vec<Finding> {
     found
 }
 
+/// The property that was probably meant by the name of an element in an object of a class. A model has many objects of few classes.
+pub(super) type MeantNames<'a> = HashMap<(&'a str, &'a str), Option<&'static str>>;
+
 /// One finding for each element inside of `owner` whose name is nearly that of a property among `known` that is not there.
-pub(super) fn find_unknown_children(
-    model: &Model,
+pub(super) fn find_unknown_children<'a>(
+    model: &'a Model,
     file: FileId,
     owner: ElementId,
-    known: &[&'static str],
+    (known, meant): (&[&'static str], &mut MeantNames<'a>),
 ) -> Vec<Finding> {
     let tree = model.file(file).tree();
-    let meant =
-        |child| likely_name(tree.name(child), known).filter(|&meant| tree.child(owner, meant).is_none());
-    let finding = |child| Some(about_unknown_name(model, file, owner, child, meant(child)?));
-    tree.children(owner).filter_map(finding).collect()
+    let finding = |child| {
+        let (class, name) = (tree.name(owner), tree.name(child));
+        let meant = (*meant.entry((class, name)).or_insert_with(|| likely_name(name, known)))?;
+        tree.child(owner, meant).is_none().then(|| about_unknown_name(model, file, owner, child, meant))
+    };
+    tree.children(owner).filter(|_| !known.is_empty()).filter_map(finding).collect()
 }
 
 /// The properties of contacts, and of the sets around them, directly inside of `id`; `None` if `id` is not one of these.
