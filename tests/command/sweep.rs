@@ -251,6 +251,13 @@ fn wrong_calls_are_refused_before_anything_is_written() {
             .wrote_nothing()
             .says(&["bad.osim:", "stiffness is"]);
     }
+    // A number that the sweep leaves alone would be wrong in all variants.
+    let human = String::from_utf8(fixture("table1/human_62kg_smooth_sphere.osim")).unwrap();
+    dir.write("bad.osim", human.replacen("<location>", "<location>,", 1));
+    dir.run("sweep bad.osim --grid stiffness=x1,x2 -d out")
+        .failed()
+        .wrote_nothing()
+        .says(&["bad.osim:", "location of"]);
     // A value that cannot be shows before the first file, in a dry run, too.
     for grid in ["indentation=0.1,2", "stiffness=1e5,0,x2", "dissipation=1,2 --grid restitution=1.5"] {
         for dry in ["", " --dry-run"] {

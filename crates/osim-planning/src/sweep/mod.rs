@@ -165,7 +165,7 @@ impl<'s> SweepPlan<'s> {
     /// Plans the variants at the ends of the axes. Values outside their domain are so found before anything is written.
     ///
     /// # Errors
-    /// What is wrong, with the point.
+    /// What is wrong, with the point; or a number of the model itself is wrong, so that all variants would be.
     pub fn check_ends(&self) -> Result<(), RequestError> {
         let points = match self.ladder {
             Some(_) => vec![0, self.count.saturating_sub(1)],
@@ -178,14 +178,14 @@ impl<'s> SweepPlan<'s> {
             self.make_variant(&job).map_err(|mut failure| {
                 failure.message = message_with_point(&failure, &job);
                 // A question stays a failure, because its code answers it; so does a number of the model that is wrong whatever is asked.
-                let is_of_model = failure.line.is_some() && self.original.has_wrong_number();
+                let is_of_model = failure.line.is_some() && self.original.wrong_number.is_some();
                 match failure.code.parse::<Question>() {
                     Err(_) if !is_of_model => RequestFault::general(failure.message).into(),
                     _ => RequestError::Failure(failure),
                 }
             })?;
         }
-        Ok(())
+        self.original.wrong_number.clone().map_or(Ok(()), |failure| Err(RequestError::Failure(failure)))
     }
 
     /// Indices of the points whose mass looks like a typing mistake or another unit. These points can be anywhere on the axis.

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use osim_inspect::{Figure, Figures, InspectOptions, LoadSharing, Stance};
+use osim_inspect::{Figure, Figures, FindingWithRemedy, InspectOptions, LoadSharing, Stance};
 use osim_model::files::{Failure, ModelFiles, OpenModel};
 use osim_model::messages::{Input, phrase, shortest};
 use osim_model::{
@@ -28,6 +28,8 @@ pub(super) struct Variant {
     pub digest: String,
     /// Codes of the variant's errors and warnings.
     wrong: BTreeSet<FindingCode>,
+    /// Why the model is bad: the first number that OpenSim does not read as it is written, or cannot compute with.
+    pub wrong_number: Option<Failure>,
 }
 
 impl Variant {
@@ -78,24 +80,19 @@ impl Variant {
         let given = |kg| Mass { kg, source: MassSource::Grid };
         let mass = target_mass_kg.map(given).or_else(|| request.masses.request().model_mass(model).ok());
         let stance = Stance::from(&request.counts.stance_options(request.wanted.impact_speed, None));
-        let wrong = codes_of_warnings(request, &open, mass.as_ref(), stance);
+        let findings = find_warnings(request, &open, mass.as_ref(), stance);
+        let wrong_number = findings.iter().find_map(|finding| failure_of_number(&open, finding));
+        let wrong = findings.iter().map(|finding| finding.code()).collect();
         let sharing = LoadSharing::of(model, &selected.forces);
         let figures = Figures::compute(model, &selected, &sharing, mass.as_ref(), &stance, &[]).ok();
         let bytes = model.file(FileId::MAIN).bytes().to_vec();
         let digest = model.contact_digest(|_| None);
-        Ok(Self { bytes, values: contact_values(model, &selected), figures, digest, wrong })
+        Ok(Self { bytes, values: contact_values(model, &selected), figures, digest, wrong, wrong_number })
     }
 
     /// Codes of the errors and warnings of this variant that `original` does not have.
     pub(super) fn codes_not_in(&self, original: &Self) -> Vec<&'static str> {
         self.wrong.difference(&original.wrong).map(|code| code.as_str()).collect()
-    }
-
-    /// Whether a number of the model cannot be read or computed with.
-    pub(super) fn has_wrong_number(&self) -> bool {
-        [FindingCode::OddNumber, FindingCode::NotFinite, FindingCode::OutOfDomain]
-            .iter()
-            .any(|code| self.wrong.contains(code))
     }
 
     /// The values of `property` in all contacts.
@@ -147,20 +144,34 @@ impl Variant {
     }
 }
 
-/// Codes of the errors and warnings of a model whose contacts carry `mass`.
-fn codes_of_warnings(
+/// The errors and warnings of a model whose contacts carry `mass`.
+fn find_warnings(
     request: &SweepRequest,
     open: &OpenModel,
     mass: Option<&Mass>,
     stance: Stance,
-) -> BTreeSet<FindingCode> {
+) -> Vec<FindingWithRemedy> {
     let masses = MassRequest { model_kg: mass.map(|mass| mass.kg), ..request.masses.request() };
     let options =
         InspectOptions { masses, selection: request.choice.selection(), stance, ..InspectOptions::default() };
-    let findings = findings_without_remedies(&options, open, &open.model).into_iter();
-    let codes = findings.filter(|one| one.severity >= Severity::Warning).map(|one| one.code());
+    let mut findings = findings_without_remedies(&options, open, &open.model);
     // The contacts of a variant are often scaled before its bodies.
-    codes.filter(|code| *code != FindingCode::MassSourcesDisagree).collect()
+    findings
+        .retain(|one| one.severity >= Severity::Warning && one.code() != FindingCode::MassSourcesDisagree);
+    findings
+}
+
+/// The failure of a model with this finding, if the finding is about a number that cannot be read or computed with.
+fn failure_of_number(open: &OpenModel, finding: &FindingWithRemedy) -> Option<Failure> {
+    let code = match finding.code() {
+        FindingCode::OddNumber | FindingCode::NotFinite => "not-a-number",
+        FindingCode::OutOfDomain => "out-of-domain",
+        _ => return None,
+    };
+    Some(Failure {
+        line: finding.line,
+        ..Failure::outside(open.name().clone(), code, finding.message.clone())
+    })
 }
 
 /// The first value, if all others are nearly equal. Figures of equal spheres may differ in their last digits.
