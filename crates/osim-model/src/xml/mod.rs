@@ -38,50 +38,73 @@ pub struct TextPosition {
     pub column: usize,
 }
 
-/// Finds the line of a byte offset. The line ends before each block of a file are counted once, those inside a block at each search.
+/// Finds line and column of a byte offset. What is before each block of a file is counted once, what is inside a block at each search.
 ///
 /// Counting is much cheaper than storing every line end, because lines are asked for at few places only.
 #[derive(Debug, Clone)]
 pub struct LineIndex {
-    /// Number of line ends before each block.
-    before: Vec<usize>,
+    blocks: Vec<BeforeBlock>,
 }
 
-/// Bytes of a block, for each of which the number of line ends before it is stored. A search counts line ends in half a block on average.
+#[derive(Debug, Clone, Copy, Default)]
+struct BeforeBlock {
+    line_ends: usize,
+    /// Letters between the last line end and the block.
+    letters: usize,
+}
+
+/// Bytes of a block. A search counts in half a block on average.
 const LINE_BLOCK_BYTES: usize = 1 << 11;
 
 impl LineIndex {
-    /// Counts the line ends of `bytes`. LF and CRLF end a line, CR alone does not.
+    /// Counts lines and letters of `bytes`. LF and CRLF end a line, CR alone does not.
     pub fn new(bytes: &[u8]) -> Self {
-        let mut lines = 0;
-        let counted = bytes.chunks(LINE_BLOCK_BYTES).map(|block| {
-            let before = lines;
-            lines += line_ends(block);
+        let mut next = BeforeBlock::default();
+        let blocks = bytes.chunks(LINE_BLOCK_BYTES).map(|block| {
+            let before = next;
+            next = before.after(block);
             before
         });
-        Self { before: counted.collect() }
+        Self { blocks: blocks.collect() }
     }
 
     /// The line (from 1) that contains byte `offset` of `bytes`. These must be the bytes for which the index was built.
     pub fn line(&self, bytes: &[u8], offset: usize) -> usize {
-        let offset = offset.min(bytes.len());
-        // The end of a file of whole blocks is in none of them.
-        let block = (offset / LINE_BLOCK_BYTES).min(self.before.len().saturating_sub(1));
-        let before = self.before.get(block).copied().unwrap_or_default();
-        before + line_ends(bytes.get(block * LINE_BLOCK_BYTES..offset).unwrap_or_default()) + 1
+        let (before, inside) = self.counted_and_rest(bytes, offset);
+        before.line_ends + line_ends(inside) + 1
     }
 
     /// Line and column of byte `offset` of `bytes`. These must be the bytes for which the index was built.
     pub fn position(&self, bytes: &[u8], offset: usize) -> TextPosition {
         let offset = offset.min(bytes.len());
-        let line = self.line(bytes, offset);
-        let head = bytes.get(..offset).unwrap_or_default();
-        let start = memchr::memrchr(b'\n', head).map_or(0, |newline| newline + 1);
-        let before = head.get(start..).unwrap_or_default();
-        // A byte order mark takes no column, and the tail bytes of a UTF-8 character take none either.
-        let before = if start == 0 { before.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(before) } else { before };
-        let column = before.iter().filter(|&&byte| byte & 0xC0 != 0x80).count() + 1;
-        TextPosition { offset, line, column }
+        let (before, inside) = self.counted_and_rest(bytes, offset);
+        let BeforeBlock { line_ends, letters } = before.after(inside);
+        // A byte order mark takes no column.
+        let mark = usize::from(line_ends == 0 && offset > 2 && bytes.starts_with(b"\xEF\xBB\xBF"));
+        TextPosition { offset, line: line_ends + 1, column: letters - mark + 1 }
+    }
+
+    /// What is counted before the block with the byte `offset`, and the bytes of this block before `offset`.
+    fn counted_and_rest<'b>(&self, bytes: &'b [u8], offset: usize) -> (BeforeBlock, &'b [u8]) {
+        // The end of a file of whole blocks is in none of them.
+        let block = (offset.min(bytes.len()) / LINE_BLOCK_BYTES).min(self.blocks.len().saturating_sub(1));
+        let rest = bytes.get(block * LINE_BLOCK_BYTES..offset.min(bytes.len())).unwrap_or_default();
+        (self.blocks.get(block).copied().unwrap_or_default(), rest)
+    }
+}
+
+impl BeforeBlock {
+    /// The counts after `bytes`, which follow.
+    fn after(self, bytes: &[u8]) -> Self {
+        // The tail bytes of a UTF-8 character are no letters.
+        let letters = |bytes: &[u8]| bytes.iter().filter(|&&byte| byte & 0xC0 != 0x80).count();
+        match memchr::memrchr(b'\n', bytes) {
+            Some(last) => Self {
+                line_ends: self.line_ends + line_ends(bytes),
+                letters: letters(bytes.get(last + 1..).unwrap_or_default()),
+            },
+            None => Self { letters: self.letters + letters(bytes), ..self },
+        }
     }
 }
 
@@ -106,6 +129,16 @@ mod tests {
         assert_eq!(line_and_column("ab\ncd", 3), (2, 1));
         assert_eq!(line_and_column("ab\r\ncd", 5), (2, 2));
         assert_eq!(line_and_column("ab", 99), (1, 3));
+    }
+
+    #[test]
+    fn columns_are_counted_across_blocks() {
+        // A line of two blocks and more, with letters of two bytes of which one is in two blocks.
+        let text = format!("\u{feff}a\n{}b", "é1é".repeat(LINE_BLOCK_BYTES / 2));
+        for (letter, (offset, _)) in text.char_indices().enumerate().skip(1) {
+            let expected = if letter < 3 { (1, letter) } else { (2, letter - 2) };
+            assert_eq!(line_and_column(&text, offset), expected, "{offset}");
+        }
     }
 
     #[test]
