@@ -4,7 +4,7 @@
 use serde_json::Value;
 
 use crate::cases::{check_json, codes_of_severity, dir_of_case, finding_with_code};
-use crate::support::{TestDir, corpus_folder};
+use crate::support::{TestDir, corpus_folder, fixture};
 
 /// The severity, the place and the message of the finding `code` about the model of a case.
 fn found_in_case(case: &str, code: &str) -> Option<(String, String, String)> {
@@ -137,5 +137,34 @@ fn contacts_that_opensim_does_not_read_cause_a_warning() {
         assert!(message.contains("11 other objects"), "{case}: {message}");
         let report = check_json(&dir_of_case(case).unwrap(), "model.osim");
         assert!(!codes_of_severity(&report, "remark").contains("bare-model"), "{report}");
+    }
+}
+
+#[test]
+fn one_misspelt_name_is_one_finding() {
+    for (model, name) in [
+        ("format/v40000.osim", "geometry"),
+        ("format/v40000.osim", "static_friction"),
+        ("format/v40000.osim", "dissipation"),
+        ("format/v40000.osim", "stiffness"),
+        ("format/v40000.osim", "radius"),
+        ("format/v40000.osim", "frames"),
+        ("scale_tool/generic_smooth.osim", "static_friction"),
+        ("scale_tool/generic_smooth.osim", "stiffness"),
+        ("scale_tool/generic_smooth.osim", "frames"),
+        ("scale_tool/generic_smooth.osim", "translation"),
+        ("feet/human_40000.osim", "coordinates"),
+    ] {
+        let text = String::from_utf8(fixture(model)).unwrap();
+        let misspelt = format!("{}x{}", &name[..3], &name[3..]);
+        let text = text.replacen(&format!("<{name}>"), &format!("<{misspelt}>"), 1);
+        let dir = TestDir::new();
+        dir.write("model.osim", text.replacen(&format!("</{name}>"), &format!("</{misspelt}>"), 1));
+        let report = check_json(&dir, "model.osim");
+        let findings = report["findings"].as_array().unwrap().iter().map(of_finding);
+        let found: Vec<_> = findings.filter(|(severity, ..)| severity != "remark").collect();
+        let [(severity, _, message)] = &found[..] else { panic!("{model}, {misspelt}: {found:?}") };
+        assert!(severity == "error" && message.contains(&misspelt), "{message}");
+        assert!(message.ends_with(&format!("{name} is meant")), "{message}");
     }
 }

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from apart import run_each_job
+from apart import ask, run_each_job
 from models import CORPUS, FIXTURES, NO_CORPUS
 
 import command
@@ -92,6 +92,21 @@ def test_a_misspelt_place_of_a_joint_is_the_default(tmp_path):
     moved = np.array(placed["bodies"]["calcn_r"])[:, 3] - np.array(whole["bodies"]["calcn_r"])[:, 3]
     assert np.allclose(moved, [0, 0.9, -0.1], atol=1e-9)
     assert codes(path)["unknown-name"] == "error"
+
+
+def test_misspelt_frames_and_coordinates_of_a_joint(tmp_path):
+    """OpenSim refuses a joint without its frames, and takes 0 for the default values of coordinates that it does not find."""
+    whole = (FIXTURES / "feet/human_40000.osim").read_text()
+    paths = {name: tmp_path / f"{name}.osim" for name in ["whole", "frames", "coordinates"]}
+    for name, path in paths.items():
+        misspelt = f"{name[:3]}x{name[3:]}"
+        path.write_text(whole.replace(f"<{name}>", f"<{misspelt}>", 1).replace(f"</{name}>", f"</{misspelt}>", 1))
+    read = dict(zip(paths, ask("opensim_feet", map(str, paths.values())), strict=True))
+    assert "pelvis_offset" in read["frames"]["error"]
+    pelvis = [np.array(read[name]["bodies"]["pelvis"]) for name in ["whole", "coordinates"]]
+    assert not np.allclose(*pelvis)
+    for name in ["frames", "coordinates"]:
+        assert codes(paths[name])["unknown-name"] == "error"
 
 
 def test_a_sphere_on_ground_stays_there():

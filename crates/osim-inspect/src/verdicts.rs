@@ -182,8 +182,14 @@ fn answer_question(on: VerdictOn, inspected: &InspectedModel<'_>, findings: &[Fi
     if follows_weight && has_gravity_of_another_unit(inspected, findings) {
         return Verdict::without_findings(on, Err("gravity is in another unit".into()));
     }
-    if on == VerdictOn::Sides && findings.iter().any(|found| found.code() == FindingCode::OddNumber) {
+    let has_finding = |code| findings.iter().any(|found| found.code() == code);
+    if on == VerdictOn::Sides && has_finding(FindingCode::OddNumber) {
         return Verdict::without_findings(on, Err("OpenSim reads another number than is written".into()));
+    }
+    let is_on_contacts =
+        matches!(on, VerdictOn::Mass | VerdictOn::Sides | VerdictOn::Sizes | VerdictOn::Solver);
+    if is_on_contacts && has_finding(FindingCode::UnknownName) {
+        return Verdict::without_findings(on, Err("OpenSim does not know a name in the file".into()));
     }
     let right = match on {
         VerdictOn::Floor => describe_floor(inspected),

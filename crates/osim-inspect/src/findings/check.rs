@@ -108,8 +108,9 @@ fn find_all(
             findings.iter_mut().filter(|finding| finding.code() == FindingCode::MassSourcesDisagree);
         disagree.for_each(|finding| finding.finding.message.push(&mismatch.clause_about_masses()));
     }
-    // Figures under a gravity in another unit are not judged.
-    if !in_other_units || options.stance.gravity_m_s2.is_some() {
+    // Figures under a gravity in another unit, or of a property whose name is misspelt, are not judged.
+    let has_gravity = !in_other_units || options.stance.gravity_m_s2.is_some();
+    if has_gravity && !has_finding(FindingCode::UnknownName) {
         findings.extend(find_in_figures(&FigureCheck::new(inspected, &remedies)));
     }
     if options.selection.apply(model).is_err_and(|fault| fault.code() == "no-contacts") {
@@ -124,11 +125,35 @@ fn find_all(
     findings.extend(another_gravity.map(FindingWithRemedy::from));
     findings.extend(place_findings);
     findings.extend(other_findings.iter().cloned().map(FindingWithRemedy::from));
+    if has_finding(FindingCode::UnknownName) {
+        findings.retain(|finding| !EFFECTS_OF_MISSPELLING.contains(&finding.code()));
+    }
     for remedy in findings.iter_mut().filter_map(|finding| finding.remedy.as_mut()) {
         answer_questions(remedy, model, &options.masses);
     }
     with_published_severities(model, &chosen, inspected, findings)
 }
+
+/// Findings that only show the defaults that OpenSim takes where the name of a property is misspelt. Other causes of these are found once
+/// the name is right.
+const EFFECTS_OF_MISSPELLING: [FindingCode; 16] = [
+    FindingCode::ConnecteeByName,
+    FindingCode::SocketNowhere,
+    FindingCode::OutOfDomain,
+    FindingCode::FloorUpright,
+    FindingCode::FloorUpsideDown,
+    FindingCode::FloorSlopes,
+    FindingCode::DefaultStiffness,
+    FindingCode::NoSurfacesMeet,
+    FindingCode::DynamicAboveStatic,
+    FindingCode::LeftRightDiffer,
+    FindingCode::LeftRightClose,
+    FindingCode::LeftRightPlaces,
+    FindingCode::LeftRightMissing,
+    FindingCode::OneSideOnly,
+    FindingCode::DoubledSpheres,
+    FindingCode::CrowdedSpheres,
+];
 
 /// Whether the contacts are made for another mass than the mass of the bodies. The bones then show nothing about the right radii.
 fn are_bodies_of_another_mass(model: &Model, inspected: &Inspection, options: &InspectOptions) -> bool {

@@ -154,7 +154,10 @@ pub(super) fn find_in_texts(model: &Model) -> Vec<Finding> {
                 return tag != "Model";
             }
             if known_children(document, element).is_none() || class == "Model" {
-                let known: Vec<&str> = all.iter().flat_map(|(tags, ..)| tags.iter().copied()).collect();
+                let is_joint = class.ends_with("Joint");
+                let lists: &[&str] = if is_joint { &["frames", "coordinates", "CoordinateSet"] } else { &[] };
+                let numbers = all.iter().flat_map(|(tags, ..)| tags.iter());
+                let known: Vec<&str> = lists.iter().chain(numbers).copied().collect();
                 found.extend(find_unknown_children(model, component.file, element, (&known, &mut meant)));
             }
             children.clear();

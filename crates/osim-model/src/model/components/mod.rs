@@ -280,7 +280,7 @@ impl Components {
     }
 
     /// The line and the class of the first object of a file with the last name of `connectee` that OpenSim does not read: its class is
-    /// unknown, or it stands in the wrong place.
+    /// unknown, or it is in the wrong place.
     fn unread_object(&self, file: FileId, connectee: &str) -> Option<(usize, String)> {
         let name = connectee.rsplit('/').next().filter(|name| !name.is_empty())?;
         let tree = self.document(file).tree();

@@ -65,7 +65,7 @@ pub const DAMAGES: &[DamageKind] = &[
     ("columns shifted by one", "sunk-in default-stiffness", |m| {
         Some(with_tags(m, &[&COLUMNS_OF_REPORT[1..], &COLUMNS_OF_REPORT[..1]].concat(), &COLUMNS_OF_REPORT))
     }),
-    ("stiffness misspelt", "default-stiffness", |m| Some(with_tags(m, &["stiffness"], &["stifness"]))),
+    ("stiffness misspelt", "unknown-name", |m| Some(with_tags(m, &["stiffness"], &["stifness"]))),
     ("thousands with apostrophes", "odd-number", |m| m.forces("stiffness", "1'000'000")),
     ("stiffness lost its exponent", "sunk-in", |m| m.forces("stiffness", "1")),
     ("stiffness in psi (x1/6895)", "sunk-in", |m| m.forces_times("stiffness", 1.0 / 6895.0)),
@@ -115,7 +115,7 @@ pub const DAMAGES: &[DamageKind] = &[
         let heel = m.model.spheres().iter().find(|sphere| is_heel(&sphere.name))?.name.clone();
         m.radii(|name| name == heel, |_| 0.0)
     }),
-    ("radius misspelt", "out-of-domain", |m| Some(with_tags(m, &["radius"], &["raduis"]))),
+    ("radius misspelt", "unknown-name", |m| Some(with_tags(m, &["radius"], &["raduis"]))),
     ("left radii 20 % larger", "left-right-differ", |m| m.radii(is_left, |radius| radius * 1.2)),
     (
         "radii of one pair halved",

@@ -67,12 +67,12 @@ pub const DAMAGES_OF_UNREAD_PARTS: &[DamageKind] = &[
     ("floor orientation nan", CODES_OF_MISREAD_NUMBERS, |m| m.floor("orientation", "0 0 nan")),
     ("floor location with commas (0,-0.5,0)", CODES_OF_MISREAD_NUMBERS, |m| m.floor("location", "0,-0.5,0")),
     ("dissipation misspelt (0)", "unknown-name", |m| misspelt(m, "dissipation", "disipation")),
-    ("stiffness misspelt", "unknown-name default-stiffness", |m| misspelt(m, "stiffness", "stifness")),
+    ("stiffness misspelt", "unknown-name", |m| misspelt(m, "stiffness", "stifness")),
     ("cf misspelt, 1e-3 meant", "unknown-name", |m| {
         let text = m.smoothing("constant_contact_force", "1e-3")?;
         Some(text.replace("constant_contact_force>", "constant_contact_forse>"))
     }),
-    ("radius misspelt", "unknown-name out-of-domain", |m| misspelt(m, "radius", "radus")),
+    ("radius misspelt", "unknown-name", |m| misspelt(m, "radius", "radus")),
     ("thousands with apostrophes", CODES_OF_MISREAD_NUMBERS, |m| m.forces("stiffness", "1'000'000")),
     ("pelvis mass empty", "odd-number mass-unknown", |m| {
         m.edit(BODY, &["mass"], |name, _| (name == "pelvis").then(String::new))
