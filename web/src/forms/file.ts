@@ -48,7 +48,7 @@ function withPresets(options: SelectOption[], { choices = [] }: Field): SelectOp
 
 /** The options, and the current value, which may name a file that is not open. */
 function withValue(options: SelectOption[], value: string): SelectOption[] {
-  const isListed = value === "" || options.some(({ value }) => value === value);
+  const isListed = value === "" || options.some((option) => option.value === value);
   return isListed ? options : [...options, { value, text: `${value} (not here)` }];
 }
 
