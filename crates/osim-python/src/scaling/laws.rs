@@ -21,11 +21,9 @@ pub(super) const HERTZ: &[Function] = &[
     function!(hertz_indentation(composite_modulus: E, radius: R, force: F_E, shape_factor: ETA = 1.0)
         -> Value(X), "Hertz::indentation_from_force",
         hertz(composite_modulus, radius, shape_factor)?.indentation_from_force(force)?),
-    function!(relative_indentation(indentation: X, radius: R)
-        -> Value(X_HAT), "Hertz::relative_indentation",
+    function!(relative_indentation(indentation: X, radius: R) -> Value(X_HAT), "Hertz::relative_indentation",
         Hertz::sphere(1.0, radius)?.relative_indentation(indentation)),
-    function!(indentation(relative_indentation: X_HAT, radius: R)
-        -> Value(X), "Hertz::indentation",
+    function!(indentation(relative_indentation: X_HAT, radius: R) -> Value(X), "Hertz::indentation",
         Hertz::sphere(1.0, radius)?.indentation(relative_indentation)),
     function!(hertz_force_at_relative_indentation(
             composite_modulus: E, radius: R, relative_indentation: X_HAT, shape_factor: ETA = 1.0)
@@ -42,11 +40,9 @@ pub(super) const HERTZ: &[Function] = &[
     function!(mean_stress(force: F_C, radius: R, relative_indentation: X_HAT)
         -> Value(SIGMA), "patch::mean_stress",
         patch::mean_stress(force, radius, relative_indentation)?),
-    function!(patch_radius(indentation: X, radius: R)
-        -> Value(PATCH_RADIUS), "patch::radius",
+    function!(patch_radius(indentation: X, radius: R) -> Value(PATCH_RADIUS), "patch::radius",
         patch::radius(indentation, radius)?),
-    function!(patch_diameter(indentation: X, radius: R)
-        -> Value(PATCH_DIAMETER), "patch::diameter",
+    function!(patch_diameter(indentation: X, radius: R) -> Value(PATCH_DIAMETER), "patch::diameter",
         patch::diameter(indentation, radius)?),
     function!(relative_patch_radius(relative_indentation: X_HAT)
         -> Value(RELATIVE_PATCH_RADIUS), "patch::relative_radius",
@@ -89,8 +85,7 @@ pub(super) const RESTITUTION: &[Function] = &[
     function!(dissipation_for_exact_restitution(restitution: C_EXACT, impact_speed: IMPACT)
         -> Value(ALPHA), "restitution::exact_dissipation",
         restitution::exact_dissipation(restitution, impact_speed)?),
-    function!(drop_speed(gravity: G, radius: R)
-        -> Value(IMPACT), "restitution::drop_speed",
+    function!(drop_speed(gravity: G, radius: R) -> Value(IMPACT), "restitution::drop_speed",
         restitution::drop_speed(gravity, radius)?),
 ];
 
@@ -164,8 +159,7 @@ pub(super) const SURFACES: &[Function] = &[
 pub(super) const RATIOS: &[Function] = &[
     function!(plane_strain_modulus(
             mass_ratio: MASS_RATIO, sphere_count_ratio: SPHERE_COUNT_RATIO, radius_ratio: RADIUS_RATIO,
-            gravity_ratio: GRAVITY_RATIO = 1.0)
-        -> Factor(E), "Ratios::plane_strain_modulus",
+            gravity_ratio: GRAVITY_RATIO = 1.0) -> Factor(E), "Ratios::plane_strain_modulus",
         Ratios::new(RatioValues {
             mass: mass_ratio,
             sphere_count: sphere_count_ratio,
@@ -183,8 +177,7 @@ pub(super) const RATIOS: &[Function] = &[
     function!(constant_contact_force(radius_ratio: RADIUS_RATIO)
         -> Factor(CF), "Ratios::constant_contact_force",
         size_ratios(radius_ratio, 1.0)?.constant_contact_force()),
-    function!(hertz_smoothing(radius_ratio: RADIUS_RATIO)
-        -> Factor(BD), "Ratios::hertz_smoothing",
+    function!(hertz_smoothing(radius_ratio: RADIUS_RATIO) -> Factor(BD), "Ratios::hertz_smoothing",
         size_ratios(radius_ratio, 1.0)?.hertz_smoothing()),
     function!(hunt_crossley_smoothing(radius_ratio: RADIUS_RATIO, gravity_ratio: GRAVITY_RATIO = 1.0)
         -> Factor(BV), "Ratios::hunt_crossley_smoothing",

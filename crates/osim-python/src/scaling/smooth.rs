@@ -17,20 +17,17 @@ pub(super) const SMOOTH: &[Function] = &[
             .constant_indentation_force(indentation)),
     function!(smooth_elastic_force(
             composite_modulus: E, radius: R, constant_contact_force: CF, hertz_smoothing: BD, indentation: X,
-            shape_factor: ETA = 1.0)
-        -> Value(F_S), "SmoothSphere::elastic_force",
+            shape_factor: ETA = 1.0) -> Value(F_S), "SmoothSphere::elastic_force",
         smooth_law(hertz(composite_modulus, radius, shape_factor)?,
             BeyondHertz { constant_contact_force, hertz_smoothing, ..BeyondHertz::UNUSED })?
             .elastic_force(indentation)),
     function!(smooth_elastic_stiffness(
             composite_modulus: E, radius: R, constant_contact_force: CF, hertz_smoothing: BD, indentation: X,
-            shape_factor: ETA = 1.0)
-        -> Value(K), "SmoothSphere::stiffness",
+            shape_factor: ETA = 1.0) -> Value(K), "SmoothSphere::stiffness",
         smooth_law(hertz(composite_modulus, radius, shape_factor)?,
             BeyondHertz { constant_contact_force, hertz_smoothing, ..BeyondHertz::UNUSED })?
             .stiffness(indentation)),
-    function!(contact_state(hertz_smoothing: BD, indentation: X)
-        -> Value(S_C), "SmoothSphere::contact_state",
+    function!(contact_state(hertz_smoothing: BD, indentation: X) -> Value(S_C), "SmoothSphere::contact_state",
         smooth_law(Hertz::sphere(1.0, 1.0)?, BeyondHertz { hertz_smoothing, ..BeyondHertz::UNUSED })?.contact_state(indentation)),
     function!(smooth_force(
             composite_modulus: E, radius: R, dissipation: ALPHA, constant_contact_force: CF, hertz_smoothing: BD,
