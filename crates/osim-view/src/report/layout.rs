@@ -331,7 +331,7 @@ pub(crate) fn csv_text(records: impl IntoIterator<Item = Vec<String>>) -> Result
 // Colours for verdicts that are readable without them.
 
 /// The mark after a figure that is outside its limit.
-pub const OUTSIDE_MARK: char = '!';
+pub(crate) const OUTSIDE_MARK: char = '!';
 
 const STYLE_OF_OUTSIDE: Style = AnsiColor::Yellow.on_default().bold();
 
