@@ -21,7 +21,7 @@ const SMOOTH_CLASS: &str = "SmoothSphereHalfSpaceForce";
 const RADIUS_TEXT: &str = "0.032000000000000001";
 const VELOCITY_TEXT: &str = "0.20000000000000001";
 
-/// Codes of the rules about sides, sizes and places of contacts.
+/// The codes that these tests look at; other findings are left out.
 const SIDE_CODES: &[FindingCode] = &[
     FindingCode::DoubledSpheres,
     FindingCode::LeftRightDiffer,

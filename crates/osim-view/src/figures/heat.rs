@@ -82,7 +82,7 @@ fn curve_figure(
     Figure::in_column(title, description, vec![panel])
 }
 
-/// The only body; refused if there are several.
+/// The one body that a heat map is about; refused if the call names several.
 fn only_body(bodies: &[ContactBody]) -> Result<&ContactBody, Failure> {
     match bodies {
         [one] => Ok(one),
