@@ -230,16 +230,7 @@ fn misread_text(
         let inherited = || form.read(&document.tree().raw_text(inherited()?).text);
         form.read(&raw.text).or_else(inherited).or(default.map(str::to_owned))
     });
-    let read = read.flatten();
-    // Commas between numbers that are the default change nothing.
-    let numbers =
-        |text: &str| old_words(text).into_iter().map(|word| word.parse().ok()).collect::<Option<Vec<f64>>>();
-    if let (Numbers(_), Some(read)) = (form, &read)
-        && numbers(&raw.text).is_some_and(|meant| numbers(read) == Some(meant))
-    {
-        return None;
-    }
-    let meaning = match read {
+    let meaning = match read.flatten() {
         Some(read) => format!("which OpenSim reads as {read}"),
         None => "with which OpenSim refuses the model".to_owned(),
     };
