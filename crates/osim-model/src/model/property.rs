@@ -312,18 +312,18 @@ named! {
 /// An effective number of a property: the number that OpenSim uses, its place, and whether its text is one plain number.
 ///
 /// ```
-/// use osim_model::{Model, Origin, Property, SetId};
+/// use osim_model::{Model, ValueOrigin, Property, SetId};
 ///
 /// # let text = include_str!("../../tests/data/one_foot.osim");
 /// let model = Model::parse(text)?;
 /// let force = &model.forces()[0];
 /// // <stiffness>1000000</stiffness>
 /// let stiffness = force.value(SetId::FIRST, Property::Stiffness).expect("every force has it");
-/// assert_eq!((stiffness.checked()?, stiffness.origin), (1e6, Origin::Element));
+/// assert_eq!((stiffness.checked()?, stiffness.origin), (1e6, ValueOrigin::Element));
 /// assert_eq!(stiffness.span.clone().map(|span| &text[span]), Some("1000000"));
 /// // There is no <static_friction>: OpenSim uses 0.
 /// let friction = force.value(SetId::FIRST, Property::StaticFriction).expect("every force has it");
-/// assert_eq!((friction.number, friction.origin), (0.0, Origin::ClassDefault));
+/// assert_eq!((friction.number, friction.origin), (0.0, ValueOrigin::ClassDefault));
 /// # Ok::<(), osim_model::Fault>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
