@@ -118,7 +118,7 @@ fn cause_in_words(cause: &Mismatch, feet: &[Foot]) -> Phrase {
             let (ms, when) = (1e3 * late_s.abs(), if late_s > 0.0 { "later" } else { "earlier" });
             let text =
                 format!("the plates are {ms:.0} ms {when} than the motion, by the inertia of the whole body");
-            let shift = Input::PlatesDelay.with_value(format!("{:.3}", late_s));
+            let shift = Input::PlatesDelay.with_value(format!("{late_s:.3}"));
             return phrase![text, " (", shift, " removes it)"];
         }
         Mismatch::OneFoot { apart_m } => {

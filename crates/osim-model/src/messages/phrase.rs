@@ -129,7 +129,7 @@ fn spell_into(text: &mut String, parts: &[PhrasePart], dialect: &dyn Dialect) {
         match part {
             PhrasePart::Text(words) => text.push_str(words),
             PhrasePart::Input(input, example) => {
-                text.push_str(&one_line(dialect.input(*input, example.as_ref())))
+                text.push_str(&one_line(dialect.input(*input, example.as_ref())));
             }
             PhrasePart::Call(call) => text.push_str(&one_line(dialect.call(call))),
             PhrasePart::Either(_, words) => spell_into(text, &words[0], dialect),

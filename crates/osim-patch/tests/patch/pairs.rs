@@ -22,11 +22,9 @@ fn ball_and_shoe() -> String {
 
 fn designed(text: &str, change: impl FnOnce(&mut Design)) -> Result<Plan, Fault> {
     let model = Model::parse(text.as_bytes()).unwrap();
-    let mut selection = Selection::default();
-    selection.select = vec!["contact_r".parse().unwrap()];
-    let mut wanted = Design::default();
-    wanted.modulus = Some(DesignModulus::Indentation(0.1));
-    wanted.load = Some(SharedLoad::new(500.0, 1.0).unwrap());
+    let selection = Selection { select: vec!["contact_r".parse().unwrap()], ..Selection::default() };
+    let load = Some(SharedLoad::new(500.0, 1.0).unwrap());
+    let mut wanted = Design { modulus: Some(DesignModulus::Indentation(0.1)), load, ..Design::default() };
     change(&mut wanted);
     design(&model, &selection.apply(&model).unwrap(), &wanted)
 }

@@ -76,7 +76,7 @@ impl RowCells {
                 }
                 CellKind::Value => cells.set_field(&column.field, number(cell, sheet, column)?),
                 CellKind::List => {
-                    cells.set_field(&column.field, cell_items(cell, &[';']).collect::<Vec<_>>())
+                    cells.set_field(&column.field, cell_items(cell, &[';']).collect::<Vec<_>>());
                 }
                 CellKind::ListWithCommas => {
                     cells.set_field(&column.field, cell_items(cell, &[';', ',']).collect::<Vec<_>>());

@@ -323,7 +323,7 @@ fn reactions_sto(
     let columns = labels.iter().flat_map(of_label);
     let columns = columns.flat_map(|columns| ["x", "y", "z"].map(|axis| format!("{columns}{axis}")));
     let mut points = vec![None; labels.len()];
-    storage(name, "", columns.collect(), time_s, |frame| {
+    storage(name, "", &columns.collect::<Vec<_>>(), time_s, |frame| {
         let mut row = Vec::new();
         for (load, last) in points.iter_mut().enumerate() {
             let (wrench, point) = reaction(load, frame);
@@ -340,7 +340,7 @@ fn reactions_sto(
 fn storage(
     name: &str,
     about: &str,
-    columns: Vec<String>,
+    columns: &[String],
     time_s: &[f64],
     mut row: impl FnMut(usize) -> Vec<f64>,
 ) -> String {
@@ -380,8 +380,10 @@ pub fn corrected_motion(result: &MotionResult, correction: &Correction, name: &s
         1e3 * correction.floor_up_m
     );
     let recording = &correction.recording;
-    let columns = recording.coordinates.iter().map(|coordinate| coordinate.name.clone()).collect();
-    storage(name, &about, columns, &recording.time_s, |frame| recording.values(frame).to_vec())
+    let columns = recording.coordinates.iter().map(|coordinate| coordinate.name.clone());
+    storage(name, &about, &columns.collect::<Vec<_>>(), &recording.time_s, |frame| {
+        recording.values(frame).to_vec()
+    })
 }
 
 /// OpenSim's `ExternalLoads` file for the output of [`ground_reactions_sto`], which is in the same folder under the name `data_file`.
