@@ -177,12 +177,12 @@ def test_a_message_of_line_ends_alone_takes_no_time():
 
 
 def test_a_task_that_cannot_be_loaded_says_what_is_missing(tmp_path):
-    from osim_contact_scale.simulate._child import simulate as simulated
+    from osim_contact_scale.simulate._child import simulate_job
     from osim_contact_scale.simulate._job import Job
     from osim_contact_scale.simulate._loaded import Loaded
 
     loaded = Loaded()
     digest = hashlib.sha256(HUMAN.read_bytes()).hexdigest()
     job = Job("run", "key", str(HUMAN), digest, {}, b"cnowhere_at_all\nf\n.", (), loaded.versions, None)
-    outcome = simulated(job, loaded, str(tmp_path))
+    outcome = simulate_job(job, loaded, str(tmp_path))
     assert outcome.error == "the task cannot be loaded here: ModuleNotFoundError: No module named 'nowhere_at_all'"
