@@ -167,7 +167,7 @@ impl FootForces {
         self.measured_n.iter().copied().zip(contacts.map(move |frame| frame.iter().map(moved)))
     }
 
-    /// The same with indentation and radius (m) of each sphere; with no sphere in frames in which the plates measured no force.
+    /// Indentation and radius (m) of each sphere in each frame; no sphere in frames in which the plates measured no force.
     pub(crate) fn loaded(
         &self,
         moves_m: [f64; 2],

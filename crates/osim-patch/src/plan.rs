@@ -71,9 +71,9 @@ pub struct Plan {
 pub struct RecordingErrors {
     /// Root mean square of the difference along the normal of the floor, in body weights.
     pub vertical_rms_bw: f64,
-    /// The same error for data that were not used in the fit, in body weights; `None` if no data could be kept apart.
+    /// The error of the vertical force for data that were not used in the fit, in body weights; `None` if no data could be kept apart.
     pub held_out_vertical_rms_bw: Option<f64>,
-    /// The same error of a model that never touches, for the foot with the smallest force, in body weights.
+    /// The error of the vertical force of a model that never touches, for the foot with the smallest force, in body weights.
     pub null_vertical_rms_bw: f64,
     /// Root mean square of the difference parallel to the floor, in body weights.
     pub horizontal_rms_bw: f64,

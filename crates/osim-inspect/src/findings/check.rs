@@ -77,7 +77,8 @@ fn find_all(
     let has_finding = |code| model_findings(model).iter().any(|finding| finding.code() == code);
     let has_loose_body = has_finding(FindingCode::BodyWithoutJoint);
     let causes = [FindingCode::MasslessBody, FindingCode::HeavyFoot, FindingCode::MisplacedObject];
-    let odd_gravity = floors::find_odd_gravity(model, &Floors::of(model));
+    let floors_of_model = Floors::of(model);
+    let odd_gravity = floors::find_odd_gravity(model, &floors_of_model);
     if has_loose_body
         || causes.into_iter().any(has_finding)
         || odd_gravity.is_some_and(|finding| finding.severity > Severity::Remark)
@@ -99,7 +100,7 @@ fn find_all(
     if is_unsettled || places.are_wrong() || are_spheres_odd(model) {
         remedies = remedies.none_yet();
     }
-    let mut findings = find_in_model(model, inspected, &remedies);
+    let mut findings = find_in_model(model, inspected, &floors_of_model, &remedies);
     if are_bodies_of_another_mass(model, inspected, options) {
         findings.retain(|finding| finding.code() != FindingCode::OddRadius);
     }
@@ -187,8 +188,12 @@ fn are_numbers_exchanged(model: &Model) -> bool {
 }
 
 /// All findings about the model, except those about the figures of its spheres.
-fn find_in_model(model: &Model, inspected: &Inspection, remedies: &Remedies<'_>) -> Vec<FindingWithRemedy> {
-    let floors = Floors::of(model);
+fn find_in_model(
+    model: &Model,
+    inspected: &Inspection,
+    floors: &Floors,
+    remedies: &Remedies<'_>,
+) -> Vec<FindingWithRemedy> {
     let sides = LazyCell::new(|| BothSides::of(model));
     let known_side = LazyCell::new(|| KnownSide::of(model, &sides, inspected));
     let with_remedy = |finding: &Finding| {
@@ -200,7 +205,7 @@ fn find_in_model(model: &Model, inspected: &Inspection, remedies: &Remedies<'_>)
     let mut findings: Vec<FindingWithRemedy> = inspected.findings.iter().map(with_remedy).collect();
     let remarks = model.remarks_on(&forces_on_half_spaces(model));
     findings.extend(remarks.into_iter().map(FindingWithRemedy::from));
-    findings.extend(find_in_floors(model, &floors).into_iter().map(FindingWithRemedy::from));
+    findings.extend(find_in_floors(model, floors).into_iter().map(FindingWithRemedy::from));
     let unknown = [
         floors::find_no_gravity(model, inspected, || floors.are_any()),
         contacts::find_count_unknown(inspected),

@@ -158,7 +158,7 @@ records! {
         vertical_rms_bw: f64 = errors.vertical_rms_bw,
         /// Root mean square along the normal in frames that were not fitted, body weights.
         held_out_vertical_rms_bw: Option<f64> = errors.held_out_vertical_rms_bw,
-        /// The same of a model that never touches, body weights.
+        /// Root mean square along the normal of the floor if nothing touched, body weights.
         null_vertical_rms_bw: f64 = errors.null_vertical_rms_bw,
         /// Root mean square across the normal, body weights.
         horizontal_rms_bw: f64 = errors.horizontal_rms_bw,

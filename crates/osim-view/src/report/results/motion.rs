@@ -392,7 +392,7 @@ pub fn external_loads_xml(result: &MotionResult, data_file: &str) -> String {
     loads_xml("contacts", loads.iter().map(|load| (load.label.as_str(), load.body.as_str())), data_file)
 }
 
-/// The same for the output of [`moved_plates_sto`].
+/// OpenSim's `ExternalLoads` file for the output of [`moved_plates_sto`], which is in the same folder under the name `data_file`.
 pub fn moved_plates_xml(result: &MotionResult, data_file: &str) -> String {
     let bodies = result.summary.feet.iter().filter_map(|foot| foot.foot.bodies.first());
     loads_xml("plates", bodies.map(|body| (body.as_str(), body.as_str())), data_file)
