@@ -2,13 +2,11 @@
 
 use contact_scaling::Ratios;
 use osim_model::messages::{Input, Phrase, Verb, four_significant, phrase, readable};
-use osim_model::{
-    Example, Finding, FindingCode, Force, ForceId, ForceKind, Mass, Property, PropertySet, Repair, Rule,
-    Severity,
-};
+use osim_model::{Example, Finding, Force, ForceId, ForceKind, Mass, Property, PropertySet, Repair, Rule};
 
 use crate::builder::PlanBuilder;
 use crate::radii::Radii;
+use osim_model::rule;
 
 pub const RULES: &[&Rule] = &[
     &ALREADY_AT_TARGET,
@@ -19,19 +17,15 @@ pub const RULES: &[&Rule] = &[
     &REFERENCE_WITHOUT_SMOOTHING,
 ];
 
-static ALREADY_AT_TARGET: Rule = Rule {
-    code: FindingCode::AlreadyAtTarget,
-    severity: Severity::Warning,
-    verdict: None,
+rule! { ALREADY_AT_TARGET: AlreadyAtTarget, Warning;
     what: "The contacts are already made for the target mass, so nothing was written.",
     why: "The mass the contacts are made for is taken from the note in the file, else `mass`, else the sum of the bodies. A model that was scaled in OpenSim weighs its new mass already while its contacts are still those of the old one; the file does not show which.",
     advice: "Give the mass that the contacts were made for with `contacts_mass=KG`, or take those of a known model with `transfer from=MODEL`",
     repair: Repair::OnlyInChange("only you know for which mass the contacts were made"),
     example: Example::Request {
         good: r#"{"verb": "rescale", "models": ["table1/human_62kg_smooth_sphere.osim"], "target_mass": 90}"#,
-        bad: r#"{"verb": "rescale", "models": ["table1/human_62kg_smooth_sphere.osim"], "target_mass": 62}"#,
-    },
-};
+        bad: r#"{"verb": "rescale", "models": ["table1/human_62kg_smooth_sphere.osim"], "target_mass": 62}"# },
+}
 
 pub(crate) fn already_at_target(contacts_mass: &Mass) -> Finding {
     let message = phrase![
@@ -43,19 +37,15 @@ pub(crate) fn already_at_target(contacts_mass: &Mass) -> Finding {
     Finding::new(&ALREADY_AT_TARGET, message)
 }
 
-pub(crate) static COMPOSITE_SURFACES: Rule = Rule {
-    code: FindingCode::CompositeSurfaces,
-    severity: Severity::Warning,
-    verdict: None,
+rule! { pub(crate) COMPOSITE_SURFACES: CompositeSurfaces, Warning;
     what: "Sphere and half-space of a converted force have parameters of their own.",
     why: "A force of one sphere has one set of parameters. It gets those that both surfaces have together (A.3), which gives the same force; but Simbody moves the point of contact towards the softer surface, so that accelerations can differ by up to 3 %.",
     advice: "Nothing, if 3 % do not matter; otherwise give both surfaces the same parameters first",
     repair: Repair::OnlyInChange("only you know which parameters are right"),
     example: Example::Request {
         good: r#"{"verb": "convert", "models": ["format/v40000.osim"], "to": "hunt-crossley"}"#,
-        bad: r#"{"verb": "convert", "models": ["format/three_materials.osim"], "to": "hunt-crossley"}"#,
-    },
-};
+        bad: r#"{"verb": "convert", "models": ["format/three_materials.osim"], "to": "hunt-crossley"}"# },
+}
 
 /// The message about the composite parameters of the new force between `sphere` and `plane`; also the error message of a strict
 /// change.
@@ -67,19 +57,15 @@ pub(crate) fn composite_surfaces_message(force: &Force, sphere: &str, plane: &st
     )
 }
 
-pub(crate) static FACTOR_SPREAD: Rule = Rule {
-    code: FindingCode::FactorSpread,
-    severity: Severity::Warning,
-    verdict: None,
+rule! { pub(crate) FACTOR_SPREAD: FactorSpread, Warning;
     what: "Spheres of one ContactParameters follow bodies with different factors.",
     why: "One ContactParameters has one modulus for all its spheres; the mean of R squared is used before and after, so single spheres sink in more or less than they did.",
     advice: "Give each sphere its own force, or accept it; `strict` refuses instead",
     repair: Repair::OnlyInChange("forces cannot be divided yet: only numbers are changed"),
     example: Example::Request {
         good: r#"{"verb": "transfer", "models": ["scale_tool/scaled_hunt_crossley.osim"], "from": "scale_tool/generic_hunt_crossley.osim", "follow_bodies": true}"#,
-        bad: r#"{"verb": "transfer", "models": ["scale_tool/scaled_hunt_crossley.osim"], "from": "scale_tool/generic_hunt_crossley.osim", "follow_bodies": true, "body_scale": {"toes_r": 1.1}}"#,
-    },
-};
+        bad: r#"{"verb": "transfer", "models": ["scale_tool/scaled_hunt_crossley.osim"], "from": "scale_tool/generic_hunt_crossley.osim", "follow_bodies": true, "body_scale": {"toes_r": 1.1}}"# },
+}
 
 /// Largest relative difference of factors that count as equal.
 const SAME_FACTOR: f64 = 0.01;
@@ -96,19 +82,15 @@ pub(crate) fn factor_spread_message(force: &Force, spread: f64) -> Option<String
     })
 }
 
-static FRICTION_NOT_SIMILAR: Rule = Rule {
-    code: FindingCode::FrictionNotSimilar,
-    severity: Severity::Remark,
-    verdict: None,
+rule! { FRICTION_NOT_SIMILAR: FrictionNotSimilar, Remark;
     what: "The friction of SmoothSphereHalfSpaceForce is not exactly similar.",
     why: "Simbody adds constant_contact_force to the squared slip speed, where similarity wants a term in proportion to g R: friction of the smooth force is similar only as far as that term is small.",
     advice: "Compare slip speeds with the root of constant_contact_force before relying on it",
     repair: Repair::OnlyInChange("it lies in how OpenSim computes friction"),
     example: Example::Request {
         good: r#"{"verb": "rescale", "models": ["table1/human_62kg_smooth_sphere.osim"], "target_mass": 90}"#,
-        bad: r#"{"verb": "rescale", "models": ["table1/human_62kg_smooth_sphere.osim"], "target_mass": 90, "friction": true}"#,
-    },
-};
+        bad: r#"{"verb": "rescale", "models": ["table1/human_62kg_smooth_sphere.osim"], "target_mass": 90, "friction": true}"# },
+}
 
 /// A finding if the friction of one of `forces` is scaled but not exactly similar.
 pub(crate) fn friction_not_similar<'f>(
@@ -122,37 +104,29 @@ pub(crate) fn friction_not_similar<'f>(
     scaled.then(|| Finding::new(&FRICTION_NOT_SIMILAR, text))
 }
 
-static NOTHING_TO_CHANGE: Rule = Rule {
-    code: FindingCode::NothingToChange,
-    severity: Severity::Remark,
-    verdict: None,
+rule! { NOTHING_TO_CHANGE: NothingToChange, Remark;
     what: "A part of the request changes nothing.",
     why: "A factor of exactly 1 leaves every byte as it is. With a radius that stays, dissipation and smoothing stay too (14, C.2, C.5, C.10).",
     advice: "Nothing, if this is intended; else ask for another change",
     repair: Repair::OnlyInChange("nothing is wrong"),
     example: Example::Request {
         good: r#"{"verb": "set", "models": ["table1/human_62kg_smooth_sphere.osim"], "set": {"stiffness": 2000000}}"#,
-        bad: r#"{"verb": "set", "models": ["table1/human_62kg_smooth_sphere.osim"], "set": {"stiffness": 1000000}}"#,
-    },
-};
+        bad: r#"{"verb": "set", "models": ["table1/human_62kg_smooth_sphere.osim"], "set": {"stiffness": 1000000}}"# },
+}
 
 pub(crate) fn nothing_to_change(text: impl Into<Phrase>) -> Finding {
     Finding::new(&NOTHING_TO_CHANGE, text)
 }
 
-static REFERENCE_WITHOUT_SMOOTHING: Rule = Rule {
-    code: FindingCode::ReferenceWithoutSmoothing,
-    severity: Severity::Warning,
-    verdict: None,
+rule! { REFERENCE_WITHOUT_SMOOTHING: ReferenceWithoutSmoothing, Warning;
     what: "The reference has no smoothing parameters to give.",
     why: "A HuntCrossleyForce has no constant_contact_force, hertz_smoothing or hunt_crossley_smoothing, so those of the model stay (or follow its own radii where these change).",
     advice: "Take the contacts from a model with SmoothSphereHalfSpaceForce, or check the smoothing with `inspect`",
     repair: Repair::OnlyInChange("only you know which smoothing is right"),
     example: Example::Request {
         good: r#"{"verb": "transfer", "models": ["table1/human_62kg_smooth_sphere.osim"], "from": "table1/human_500kg_smooth_sphere.osim"}"#,
-        bad: r#"{"verb": "transfer", "models": ["table1/human_62kg_smooth_sphere.osim"], "from": "table1/human_500kg_hunt_crossley.osim"}"#,
-    },
-};
+        bad: r#"{"verb": "transfer", "models": ["table1/human_62kg_smooth_sphere.osim"], "from": "table1/human_500kg_hunt_crossley.osim"}"# },
+}
 
 pub(crate) fn reference_without_smoothing(name: &str) -> Finding {
     Finding::new(

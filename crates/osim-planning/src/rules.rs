@@ -8,7 +8,8 @@ use osim_inspect::{Bottom, SizeList, StandingBody};
 use osim_model::feet::{DefaultPose, FootBodies, MeshFolders, odd_meshes};
 use osim_model::files::Files;
 use osim_model::messages::{Phrase, readable, shown, three_significant};
-use osim_model::{Anatomy, Example, Finding, FindingCode, Model, Repair, Rule, Severity, VerdictOn};
+use osim_model::rule;
+use osim_model::{Anatomy, Example, Finding, FindingCode, Model, Repair, Rule};
 
 const RULES: &[&Rule] = &[
     &BOTTOMS_MOVED,
@@ -36,19 +37,15 @@ pub fn with_code<'c>(codes: impl Fn(FindingCode) -> bool + 'c) -> impl Iterator<
     all().iter().copied().filter(move |rule| codes(rule.code))
 }
 
-static BOTTOMS_MOVED: Rule = Rule {
-    code: FindingCode::BottomsMoved,
-    severity: Severity::Warning,
-    verdict: None,
+rule! { BOTTOMS_MOVED: BottomsMoved, Warning;
     what: "A change moves the lowest points of spheres so far that the default pose is no longer on the floor, or that the spheres of a level foot become uneven.",
     why: "Radii grow around centres that stay. A simulation that starts from the default pose starts inside the floor then, and lower spheres carry what all should carry. Contacts that are made for a body which is still to be scaled are not judged by the pose of the one that is there, nor are spheres that follow their bodies.",
     advice: "Give the coordinate its new value, or keep the lowest points of the spheres where they are with `level`; nothing, if simulations start from a pose of their own and the foot should be uneven",
     repair: Repair::OnlyInChange("a change is what it is about, and not a model"),
     example: Example::Request {
         good: r#"{"verb": "set", "models": ["check/within_limits.osim"], "set": {"radius": "x1.05"}}"#,
-        bad: r#"{"verb": "set", "models": ["check/within_limits.osim"], "set": {"radius": "x2"}}"#,
-    },
-};
+        bad: r#"{"verb": "set", "models": ["check/within_limits.osim"], "set": {"radius": "x2"}}"# },
+}
 
 /// The finding about a body that stood `before` the change and does not stand `now`. It names the body if there are `several` bodies.
 pub(crate) fn bottoms_moved_of_body(
@@ -79,19 +76,14 @@ pub(crate) fn bottoms_moved_of_limb(limb: &str, before_m: f64, lowest: &Bottom, 
     Finding::new(&BOTTOMS_MOVED, text).with_place(&highest.path)
 }
 
-static COMPILED_MODEL_BESIDE: Rule = Rule {
-    code: FindingCode::CompiledModelBeside,
-    severity: Severity::Warning,
-    verdict: None,
+rule! { COMPILED_MODEL_BESIDE: CompiledModelBeside, Warning;
     what: "A compiled file, F_ and the name of the model, lies beside the output.",
     why: "PredSim and OpenCap compile a model to F_<name> and reuse it without looking at the model's content: the old contacts would stay in use.",
     advice: "Delete the compiled file, or write the model under a new name",
     repair: Repair::NotPossible("the program does not change files of other programs"),
-    example: Example::InWords {
-        good: "`model.osim` is written to a folder of its own",
-        bad: "`F_model.dll` lies in the folder that `model.osim` is written to",
-    },
-};
+    example: Example::InWords { good: "`model.osim` is written to a folder of its own",
+        bad: "`F_model.dll` lies in the folder that `model.osim` is written to" },
+}
 
 /// The finding that other programs would use the file `compiled` instead of the output.
 pub fn compiled_model_beside(compiled: &Path) -> Finding {
@@ -102,19 +94,14 @@ pub fn compiled_model_beside(compiled: &Path) -> Finding {
     Finding::new(&COMPILED_MODEL_BESIDE, text)
 }
 
-static HARD_LINKED: Rule = Rule {
-    code: FindingCode::HardLinked,
-    severity: Severity::Warning,
-    verdict: None,
+rule! { HARD_LINKED: HardLinked, Warning;
     what: "A model that is changed itself has other names too.",
     why: "A changed model is a new file that takes the name of the old one, so that no moment is without a whole file. Hard links to the old one are names of the old file: they keep the old model.",
     advice: "Make the other names again, or change the model under one of its names into a file of its own",
     repair: Repair::OnlyInChange("only you know what the other names are for"),
-    example: Example::InWords {
-        good: "`model.osim` is the only name of its file",
-        bad: "`model.osim` and `copy.osim` are two names of one file, and one of them is changed in place",
-    },
-};
+    example: Example::InWords { good: "`model.osim` is the only name of its file",
+        bad: "`model.osim` and `copy.osim` are two names of one file, and one of them is changed in place" },
+}
 
 /// The finding that the file `path` has `others` other names (hard links), under which the old model stays.
 pub fn hard_linked(path: &Path, others: u64) -> Finding {
@@ -129,16 +116,13 @@ const MOST_FEET_BODIES: usize = 40;
 /// longer than all other rules.
 const MOST_BODIES_TO_SEARCH: usize = 200;
 
-static ODD_MESH: Rule = Rule {
-    code: FindingCode::OddMesh,
-    severity: Severity::Warning,
-    verdict: Some(VerdictOn::Sizes),
+rule! { ODD_MESH: OddMesh, Warning, Sizes;
     what: "The mesh of a foot does not fit the skeleton.",
     why: "`add MODEL` with `feet` lays spheres under the lowest points of meshes, and factors between models come from them: with a file in millimetres, another animal's bone of the same name, or one broken vertex, spheres are far from where the foot is. Real feet, toes and tali are 0.136 to 0.6 of the longest bone of their limb, the longest distance between two joints of one body.",
     advice: "Correct the scale factors of the mesh, or put the right file beside the model",
     repair: Repair::NotPossible("only numbers of contacts are changed"),
     example: Example::Models { good: "feet/human_40000.osim", bad: "feet/human_in_millimetres.osim" },
-};
+}
 
 /// The finding about the first mesh of a foot that does not fit the skeleton; the model is the file at `path`.
 pub(crate) fn find_odd_mesh(model: &Model, path: &Path, files: &dyn Files) -> Option<Finding> {
@@ -172,19 +156,15 @@ fn bodies_of_feet(model: &Model) -> BTreeSet<String> {
 /// Two bodies are not similar if their densities differ by more than this factor.
 const UNLIKE_DENSITY_RATIO: f64 = 2.5;
 
-static MASS_AGAINST_LENGTH: Rule = Rule {
-    code: FindingCode::MassAgainstLength,
-    severity: Severity::Remark,
-    verdict: Some(VerdictOn::Mass),
+rule! { MASS_AGAINST_LENGTH: MassAgainstLength, Remark, Mass;
     what: "The mass of a model does not fit its lengths, compared with the model that was scaled.",
     why: "Bodies of one shape and one density have masses that follow the third power of their lengths. If lengths are multiplied by the ratio of masses, the body is several times as dense, and no contact that fits its mass fits its feet.",
     advice: "Scale lengths by the third root of the ratio of masses; nothing, if the animal really has that density",
     repair: Repair::NotPossible("only numbers of contacts are changed"),
     example: Example::Request {
         good: r#"{"verb": "check", "models": ["scale_tool/scaled_smooth.osim"], "from": "scale_tool/generic_smooth.osim"}"#,
-        bad: r#"{"verb": "check", "models": ["check/mass_against_length.osim"], "from": "check/known_contacts.osim"}"#,
-    },
-};
+        bad: r#"{"verb": "check", "models": ["check/mass_against_length.osim"], "from": "check/known_contacts.osim"}"# },
+}
 
 /// The remark that a model is much more dense, or much less dense, than the model before scaling.
 pub(crate) fn find_mass_against_length(sizes: &SizeList) -> Option<Finding> {
@@ -203,33 +183,23 @@ pub(crate) fn find_mass_against_length(sizes: &SizeList) -> Option<Finding> {
     is_unlike.then(|| Finding::new(&MASS_AGAINST_LENGTH, text))
 }
 
-static UNLIKE_RECORDING: Rule = Rule {
-    code: FindingCode::UnlikeRecording,
-    severity: Severity::Warning,
-    verdict: Some(VerdictOn::Recording),
+rule! { UNLIKE_RECORDING: UnlikeRecording, Warning, Recording;
     what: "Contacts, motion and force plates do not agree, and the reason is seen.",
     why: "Feet are swapped, a unit or a sign is wrong, the plates are late or early, or one foot is higher than the other.",
     advice: "correct the cause that is named, before contacts or motion are changed",
     repair: Repair::NotPossible("the recording has to be corrected"),
-    example: Example::Request {
-        good: r#"{"verb": "check", "models": ["motion/walker.osim"]}"#,
-        bad: r#"{"verb": "check", "models": ["motion/walker.osim"], "motion": "motion/walk.mot", "plates": "motion/kilonewtons.sto"}"#,
-    },
-};
+    example: Example::Request { good: r#"{"verb": "check", "models": ["motion/walker.osim"]}"#,
+        bad: r#"{"verb": "check", "models": ["motion/walker.osim"], "motion": "motion/walk.mot", "plates": "motion/kilonewtons.sto"}"# },
+}
 
-static LARGE_CORRECTION: Rule = Rule {
-    code: FindingCode::LargeCorrection,
-    severity: Severity::Remark,
-    verdict: Some(VerdictOn::Recording),
+rule! { LARGE_CORRECTION: LargeCorrection, Remark, Recording;
     what: "Contacts and force plates agree after a large correction of the motion only.",
     why: "The smallest correction with which the contacts give the measured forces moves spheres by more than 12 mm, or leaves 0.1 body weights. Half of all measured recordings are so.",
     advice: "`motion MODEL correct=FILE`, with the motion and its plates, writes a corrected motion: a start for simulations",
     repair: Repair::NotPossible("the recording is as it is"),
-    example: Example::Request {
-        good: r#"{"verb": "check", "models": ["motion/walker.osim"]}"#,
-        bad: r#"{"verb": "check", "models": ["motion/walker.osim"], "motion": "motion/pitched.mot", "plates": "motion/plates.sto"}"#,
-    },
-};
+    example: Example::Request { good: r#"{"verb": "check", "models": ["motion/walker.osim"]}"#,
+        bad: r#"{"verb": "check", "models": ["motion/walker.osim"], "motion": "motion/pitched.mot", "plates": "motion/plates.sto"}"# },
+}
 
 /// The finding that contacts, motion and plates do not agree, or after a large correction only; `text` is its message.
 pub(crate) fn unlike_recording(agrees_at_last: bool, text: Phrase) -> Finding {

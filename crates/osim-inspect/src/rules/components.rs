@@ -5,24 +5,22 @@ use std::collections::BTreeMap;
 use foldhash::{HashSet, HashSetExt};
 use osim_model::messages::listed;
 use osim_model::{
-    Class, Component, ComponentId, Example, FileId, Finding, FindingCode, Irregularity, Model, NoteDoubt,
-    OTHER_CONTACT_CLASSES, Repair, Rule, Severity, refuse_name_in_paths,
+    Class, Component, ComponentId, Example, FileId, Finding, Irregularity, Model, NoteDoubt,
+    OTHER_CONTACT_CLASSES, Repair, refuse_name_in_paths,
 };
 use osim_requests::{ConvertRequest, Request};
 
 use crate::findings::Remedies;
 use crate::rules::spheres::and_others;
+use osim_model::rule;
 
-pub(super) static CONNECTEE_BY_NAME: Rule = Rule {
-    code: FindingCode::ConnecteeByName,
-    severity: Severity::Error,
-    verdict: None,
+rule! { pub(super) CONNECTEE_BY_NAME: ConnecteeByName, Error;
     what: "A path leads nowhere, and only one component has its last name.",
     why: "OpenSim looks for paths only, so it refuses the model.",
     advice: "Write the path that the message says",
     repair: Repair::Command("writes the paths of sockets that OpenSim finds, and changes no other byte"),
     example: Example::ElementText { tag: "socket_frame", good: "/bodyset/calcn_r", bad: "calcn_r" },
-};
+}
 
 /// The request that writes the paths of sockets, if a socket in question can be written.
 pub(super) fn connect_sockets(remedies: &Remedies<'_>, model: &Model) -> Option<Request> {
@@ -33,31 +31,23 @@ pub(super) fn connect_sockets(remedies: &Remedies<'_>, model: &Model) -> Option<
     model.irregularities.iter().any(can_be_written).then(|| request.into())
 }
 
-pub(super) static SOCKET_NOWHERE: Rule = Rule {
-    code: FindingCode::SocketNowhere,
-    severity: Severity::Error,
-    verdict: None,
+rule! { pub(super) SOCKET_NOWHERE: SocketNowhere, Error;
     what: "A socket of a joint or of a frame leads to no component.",
     why: "OpenSim refuses the model: it looks for the component at the path, and no component has the path or its last name.",
     advice: "Write the path of the frame or body that is meant",
     repair: Repair::NotPossible("only you know what is to be connected"),
     example: Example::Models { good: "format/v40000.osim", bad: "bad/socket_of_joint.osim" },
-};
+}
 
-pub(super) static MISNAMED_PARAMETER_SET: Rule = Rule {
-    code: FindingCode::MisnamedParameterSet,
-    severity: Severity::Error,
-    verdict: None,
+rule! { pub(super) MISNAMED_PARAMETER_SET: MisnamedParameterSet, Error;
     what: "A ContactParametersSet has a name under which OpenSim does not find it.",
     why: "OpenSim finds the set by its name: with another name the force has no parameters and never pushes.",
     advice: "Name the set contact_parameters",
     repair: Repair::NotPossible("the program changes numbers, not names"),
-    example: Example::Piece {
-        model: "format/v40000.osim",
+    example: Example::Piece { model: "format/v40000.osim",
         good: r#"<HuntCrossleyForce::ContactParametersSet name="contact_parameters">"#,
-        bad: r#"<HuntCrossleyForce::ContactParametersSet name="parameters">"#,
-    },
-};
+        bad: r#"<HuntCrossleyForce::ContactParametersSet name="parameters">"# },
+}
 
 /// Finds connections that were resolved by name or lead nowhere, and parameter sets that OpenSim does not find, in the order in which the
 /// file was read. There is one finding for all objects of a class whose connections were resolved by name.
@@ -110,35 +100,27 @@ pub(super) fn find_irregularities(model: &Model) -> Vec<Finding> {
     found
 }
 
-pub(super) static MIXED_PAIR: Rule = Rule {
-    code: FindingCode::MixedPair,
-    severity: Severity::Error,
-    verdict: None,
+rule! { pub(super) MIXED_PAIR: MixedPair, Error;
     what: "A note of another output file was found that does not belong to this one.",
     why: "The notes in the force set and in the geometry set are from different runs, so their stiffnesses and radii do not fit together.",
     advice: "Write both again in one run",
     repair: Repair::NotPossible("only you know which of the two files is the right one"),
-    example: Example::InWords {
-        good: "force set and geometry set as one run wrote them",
-        bad: "the geometry set of another run, with a note of its own",
-    },
-};
+    example: Example::InWords { good: "force set and geometry set as one run wrote them",
+        bad: "the geometry set of another run, with a note of its own" },
+}
 
 pub(super) fn find_mixed_pair(model: &Model) -> Vec<Finding> {
     let doubt = model.doubt_about_note().filter(|doubt| *doubt == NoteDoubt::MixedPair);
     doubt.map(|doubt| Finding::new(&MIXED_PAIR, doubt.as_str())).into_iter().collect()
 }
 
-pub(super) static CONTACT_DEFAULTS: Rule = Rule {
-    code: FindingCode::ContactDefaults,
-    severity: Severity::Warning,
-    verdict: None,
+rule! { pub(super) CONTACT_DEFAULTS: ContactDefaults, Warning;
     what: "The defaults of the document hold contact objects.",
     why: "OpenSim keeps the defaults of one model for every model loaded later in the same session, so another model can silently take these values.",
     advice: "Write the values into the forces themselves, or load the model in a fresh OpenSim",
     repair: Repair::NotPossible("<defaults> are left alone, because other models may depend on them"),
     example: Example::Models { good: "format/v40000.osim", bad: "format/defaults_smooth.osim" },
-};
+}
 
 pub(super) fn find_contact_defaults(model: &Model) -> Vec<Finding> {
     let mut found = Vec::new();
@@ -166,16 +148,13 @@ pub(super) fn find_contact_defaults(model: &Model) -> Vec<Finding> {
     found
 }
 
-pub(super) static INCLUDED_FILE: Rule = Rule {
-    code: FindingCode::IncludedFile,
-    severity: Severity::Remark,
-    verdict: None,
+rule! { pub(super) INCLUDED_FILE: IncludedFile, Remark;
     what: "Contacts are in a file that the model includes.",
     why: "The contacts were read from the file that the model names; a change would have to go into that file too.",
     advice: "Save the model in OpenSim as one file before rescaling it",
     repair: Repair::NotPossible("the file may serve other models, too"),
     example: Example::Models { good: "format/v40000.osim", bad: "format/file_forceset.osim" },
-};
+}
 
 /// Finds contacts in included files, which can be read but not changed.
 pub(super) fn find_included_file(model: &Model) -> Vec<Finding> {
@@ -193,16 +172,13 @@ pub(super) fn find_included_file(model: &Model) -> Vec<Finding> {
     found
 }
 
-pub(super) static UNKNOWN_CLASS: Rule = Rule {
-    code: FindingCode::UnknownClass,
-    severity: Severity::Error,
-    verdict: None,
+rule! { pub(super) UNKNOWN_CLASS: UnknownClass, Error;
     what: "Contacts are in a component of a class that OpenSim does not know.",
     why: "OpenSim skips a component of a class it does not know, with everything in it, so these contacts do not exist for it. They were not changed. A plugin may know the class.",
     advice: "Move the contacts into the ForceSet, or out of the component of that class",
     repair: Repair::NotPossible("only numbers are changed, and the contacts have to move"),
     example: Example::Models { good: "format/v40000.osim", bad: "format/components_unknown_class.osim" },
-};
+}
 
 pub(super) fn find_unknown_class(model: &Model) -> Vec<Finding> {
     let mut found = Vec::new();
@@ -236,16 +212,13 @@ pub(super) fn find_in_components(model: &Model) -> Vec<Finding> {
     found.flatten().collect()
 }
 
-pub(super) static NOT_HERTZ: Rule = Rule {
-    code: FindingCode::NotHertz,
-    severity: Severity::Remark,
-    verdict: None,
+rule! { pub(super) NOT_HERTZ: NotHertz, Remark;
     what: "Contacts of a class that does not follow the Hertz law.",
     why: "ElasticFoundationForce, ExponentialContactForce and MeyerFregly2016Force do not follow the equations used here, so they are not changed. On feet they carry the body, so `add` adds nothing beside them.",
     advice: "Scale them by their own equations, or replace them",
     repair: Repair::NotPossible("such a force has other equations"),
     example: Example::Models { good: "format/v40000.osim", bad: "format/elastic_foundation.osim" },
-};
+}
 
 /// A remark on each force of another class; one for all that carry the body.
 fn find_not_hertz(model: &Model, id: ComponentId, carriers: &[ComponentId]) -> Option<Finding> {
@@ -262,16 +235,13 @@ fn find_not_hertz(model: &Model, id: ComponentId, carriers: &[ComponentId]) -> O
     Some(Finding::at(&NOT_HERTZ, components.line(id), text).with_place(&path))
 }
 
-pub(super) static DUPLICATE_NAMES: Rule = Rule {
-    code: FindingCode::DuplicateNames,
-    severity: Severity::Warning,
-    verdict: None,
+rule! { pub(super) DUPLICATE_NAMES: DuplicateNames, Warning;
     what: "Two components have the same name.",
     why: "OpenSim renames the second one when it loads the model, so a path or a name means the first one only.",
     advice: "Give each a name of its own",
     repair: Repair::NotPossible("the program changes numbers, not names"),
     example: Example::Models { good: "format/v40000.osim", bad: "format/same_sphere_name_twice.osim" },
-};
+}
 
 fn find_duplicate_name(model: &Model, id: ComponentId, object: &Component) -> Option<Finding> {
     let components = model.components();
@@ -289,16 +259,13 @@ fn find_duplicate_name(model: &Model, id: ComponentId, object: &Component) -> Op
     })
 }
 
-pub(super) static REFUSED_NAME: Rule = Rule {
-    code: FindingCode::RefusedName,
-    severity: Severity::Error,
-    verdict: None,
+rule! { pub(super) REFUSED_NAME: RefusedName, Error;
     what: "An object has a name with which OpenSim refuses the model.",
     why: "OpenSim finds objects by paths, in which a name must be one step: it has no blank and none of / * + and the backslash in it, and is neither . nor ..",
     advice: "Give the object another name, and replace the old name everywhere in the file",
     repair: Repair::NotPossible("the program changes numbers, not names"),
     example: Example::Models { good: "format/v40000.osim", bad: "bad/name_with_blank.osim" },
-};
+}
 
 fn find_refused_name(model: &Model, id: ComponentId, object: &Component) -> Option<Finding> {
     object.parent?;
@@ -311,16 +278,13 @@ fn find_refused_name(model: &Model, id: ComponentId, object: &Component) -> Opti
     Some(Finding::at(&REFUSED_NAME, components.line(id), why.to_string()).with_place(&path))
 }
 
-pub(super) static LOOP_OF_JOINTS: Rule = Rule {
-    code: FindingCode::LoopOfJoints,
-    severity: Severity::Warning,
-    verdict: None,
+rule! { pub(super) LOOP_OF_JOINTS: LoopOfJoints, Warning;
     what: "A body has more than one joint: joints form a loop, or OpenSim ignores some.",
     why: "Of joints inside a body, as documents up to version 3 have them, OpenSim takes the first and ignores the others. Elsewhere it cuts a loop of joints: it divides a body into equal parts that a constraint holds together, and their masses still make the body's. Where a WeldJoint or a FreeJoint between two bodies is in the loop it divides nothing, and counts the mass of a body twice. Left, right and limbs follow the first joint of each body.",
     advice: "Give the mass of the model with `mass=KG` where the program asks for it; in OpenSim, close a loop with a constraint instead of a joint",
     repair: Repair::NotPossible("only numbers of contacts are changed"),
     example: Example::Models { good: "format/v40000.osim", bad: "format/loop_of_joints.osim" },
-};
+}
 
 /// The largest number of joints that a message about a loop names.
 const MOST_JOINTS_NAMED: usize = 6;

@@ -2,25 +2,22 @@
 
 use osim_model::messages::{Input, Phrase, four_significant, phrase, readable};
 use osim_model::{
-    Example, Fault, FaultKind, Finding, FindingCode, MassRequest, Model, Pattern, Repair, Rule, Selection,
-    Severity, VerdictOn, same_mass,
+    Example, Fault, FaultKind, Finding, MassRequest, Model, Pattern, Repair, Selection, same_mass,
 };
 use osim_requests::options::MassOptions;
 use osim_requests::{Kilograms, Request, RescaleRequest};
 
 use crate::findings::{FindingWithRemedy, Remedies, rounded_mass};
 use crate::{InspectOptions, Inspection, KnownContacts};
+use osim_model::rule;
 
-pub(crate) static BARE_MODEL: Rule = Rule {
-    code: FindingCode::BareModel,
-    severity: Severity::Remark,
-    verdict: None,
+rule! { pub(crate) BARE_MODEL: BareModel, Remark;
     what: "The model has no contacts.",
     why: "Nothing carries the model: it has no HuntCrossleyForce or SmoothSphereHalfSpaceForce whose moving spheres meet a half-space.",
     advice: "`add` gives it contacts: those of another model, spheres under its own bones, or places from a table",
     repair: Repair::NotPossible("only you know which contacts it should have"),
     example: Example::Models { good: "format/v40000.osim", bad: "bad/no_contacts.osim" },
-};
+}
 
 /// Finds a model that has no contacts which can be chosen.
 pub(crate) fn find_bare_model(options: &InspectOptions, model: &Model) -> Option<Finding> {
@@ -30,19 +27,15 @@ pub(crate) fn find_bare_model(options: &InspectOptions, model: &Model) -> Option
     is_bare.then(|| Finding::new(&BARE_MODEL, fault.phrase()))
 }
 
-pub(crate) static UNMATCHED_PATTERN: Rule = Rule {
-    code: FindingCode::UnmatchedPattern,
-    severity: Severity::Remark,
-    verdict: None,
+rule! { pub(crate) UNMATCHED_PATTERN: UnmatchedPattern, Remark;
     what: "A choice of forces or bodies matches no name in the model.",
     why: "So it chooses nothing and leaves nothing out. Usually the name has a typing error, or belongs to another model.",
     advice: "Correct the name",
     repair: Repair::NotPossible("only you know which name is right"),
     example: Example::Request {
         good: r#"{"verb": "inspect", "models": ["table1/human_62kg_smooth_sphere.osim"], "exclude": ["contact_s1_*"]}"#,
-        bad: r#"{"verb": "inspect", "models": ["table1/human_62kg_smooth_sphere.osim"], "exclude": ["contact_sl_*"]}"#,
-    },
-};
+        bad: r#"{"verb": "inspect", "models": ["table1/human_62kg_smooth_sphere.osim"], "exclude": ["contact_sl_*"]}"# },
+}
 
 /// A message for each pattern of `selection` and of `masses` that fits no name in `model`.
 pub fn describe_unmatched_patterns(
@@ -68,48 +61,39 @@ pub(crate) fn find_unmatched_patterns(
     messages.map(|message| Finding::new(&UNMATCHED_PATTERN, message)).collect()
 }
 
-pub(crate) static MASS_UNKNOWN: Rule = Rule {
-    code: FindingCode::MassUnknown,
-    severity: Severity::Warning,
-    verdict: Some(VerdictOn::Mass),
+rule! { pub(crate) MASS_UNKNOWN: MassUnknown, Warning, Mass;
     what: "The mass of the model, or the mass that its contacts are made for, is not known.",
     why: "Every factor follows from these masses.",
     advice: "Give `mass=KG` or `contacts_mass=KG`, or correct the masses of the bodies",
     repair: Repair::NotPossible("only you know the mass of the model"),
     example: Example::ElementText { tag: "mass", good: "61.5", bad: "-1" },
-};
+}
 
 /// The finding that a mass is not known. `fault` says why.
 pub(crate) fn mass_unknown(fault: &Fault) -> Finding {
     Finding::new(&MASS_UNKNOWN, fault.phrase())
 }
 
-pub(crate) static STALE_NOTE: Rule = Rule {
-    code: FindingCode::StaleNote,
-    severity: Severity::Remark,
-    verdict: Some(VerdictOn::Mass),
+rule! { pub(crate) STALE_NOTE: StaleNote, Remark, Mass;
     what: "The note that this program left in the file no longer fits its contacts.",
     why: "The note says which mass the contacts were made for. Contacts were changed after it was written, or only some of them were scaled, or the note is damaged.",
     advice: "Give the mass that the contacts are made for with `contacts_mass=KG`",
     repair: Repair::NotPossible("only you know for which mass the contacts were made"),
     example: Example::Models { good: "check/noted.osim", bad: "check/stale_note.osim" },
-};
+}
 
 /// The finding that the note is out of date, if `fault` says that a mass is not known because of this.
 pub(crate) fn stale_note(fault: &Fault) -> Option<Finding> {
     (fault.code() == "stale-note").then(|| Finding::new(&STALE_NOTE, fault.phrase()))
 }
 
-pub(crate) static COUNT_UNKNOWN: Rule = Rule {
-    code: FindingCode::CountUnknown,
-    severity: Severity::Remark,
-    verdict: Some(VerdictOn::Mass),
+rule! { pub(crate) COUNT_UNKNOWN: CountUnknown, Remark, Mass;
     what: "How many spheres share the weight is not known.",
     why: "Limbs are found by left and right sides below the joint tree. Where that does not work, values under body weight are absent, and indentations are not judged.",
     advice: "Give it with `spheres=N`; where spheres are on several bodies that only ground connects, choose those of one with `select=GLOB`",
     repair: Repair::NotPossible("only you know how many spheres share the weight"),
     example: Example::Models { good: "check/within_limits.osim", bad: "format/no_sides.osim" },
-};
+}
 
 /// Finds a model whose number of spheres per limb is not known. The number is also unknown if a model of several animals has forces of
 /// several animals, and the caller chose no forces.
@@ -122,16 +106,13 @@ pub(crate) fn find_count_unknown(inspected: &Inspection) -> Option<Finding> {
     }
 }
 
-pub(crate) static KNOWN_CONTACTS: Rule = Rule {
-    code: FindingCode::KnownContacts,
-    severity: Severity::Remark,
-    verdict: None,
+rule! { pub(crate) KNOWN_CONTACTS: KnownContacts, Remark;
     what: "The contacts are published ones, and are used as they were published.",
     why: "What is unusual about the published contacts is a remark here. A warning says what is wrong for this model.",
     advice: "Nothing, if you chose these contacts",
     repair: Repair::NotPossible("nothing is wrong"),
     example: Example::Models { good: "check/within_limits.osim", bad: "check/known_contacts.osim" },
-};
+}
 
 pub(crate) fn known_contacts(known: KnownContacts) -> Finding {
     let text = format!(
@@ -142,22 +123,14 @@ pub(crate) fn known_contacts(known: KnownContacts) -> Finding {
     Finding::new(&KNOWN_CONTACTS, text)
 }
 
-pub(crate) static CONTACTS_OF_ANOTHER_MASS: Rule = Rule {
-    code: FindingCode::ContactsOfAnotherMass,
-    severity: Severity::Warning,
-    verdict: Some(VerdictOn::Mass),
+rule! { pub(crate) CONTACTS_OF_ANOTHER_MASS: ContactsOfAnotherMass, Warning, Mass;
     what: "The contacts are published ones, made for a body of another mass.",
     why: "Radius, stiffness, dissipation and number of spheres are those of a published model, but the body weighs something else: contacts that are not scaled sink in more or less than they did there.",
     advice: "If OpenSim scaled this model, `check MODEL from=GENERIC` compares it with the one that was scaled. If its spheres are where they belong, scale the contacts from the mass they were made for to the mass of this body",
-    repair: Repair::Command(
-        "scales the contacts from the mass they were made for to that of this body, where the places of the spheres are known to be right",
-    ),
-    example: Example::Piece {
-        model: "check/known_contacts.osim",
-        good: "<mass>60</mass>",
-        bad: "<mass>88</mass>",
-    },
-};
+    repair: Repair::Command("scales the contacts from the mass they were made for to that of this body, where the places of the spheres are known to be right"),
+    example: Example::Piece { model: "check/known_contacts.osim", good: "<mass>60</mass>",
+        bad: "<mass>88</mass>" },
+}
 
 /// Finds published contacts under a body of another mass, unless the note or the caller gives the mass of the contacts. The remedy scales
 /// the contacts, if the places of the spheres are right.

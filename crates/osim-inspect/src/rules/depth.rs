@@ -3,24 +3,20 @@
 
 use contact_scaling::limits::{INDENTATION, growth_to_indentation_limit};
 use osim_model::messages::{Input, Phrase, Verb, four_significant, phrase, readable};
-use osim_model::{Example, Finding, FindingCode, Repair, Rule, Severity, VerdictOn, same_mass};
+use osim_model::{Example, Finding, Repair, Severity, same_mass};
 use osim_requests::Request;
 
 use crate::rules::figure_check::{FigureCheck, UP_TO_CENTRE_RADII, value_beyond_limit};
 use crate::{Figure, FindingWithRemedy, SphereFigures};
+use osim_model::rule;
 
-pub(super) static SUNK_IN: Rule = Rule {
-    code: FindingCode::SunkIn,
-    severity: Severity::Error,
-    verdict: Some(VerdictOn::Mass),
+rule! { pub(super) SUNK_IN: SunkIn, Error, Mass;
     what: "The contacts are far too soft: at body weight on one limb, spheres sink into the floor up to their centres or deeper. If only the default pose causes this depth, it is a remark.",
     why: "No contact law holds at this depth, but OpenSim continues with the same formula. Usually the contacts were made for a lighter body, or the spheres are too small.",
     advice: "If the contacts were made for another body, scale them to this one; else make them stiffer, for a relative indentation of {indentation}",
-    repair: Repair::Command(
-        "designs or multiplies the stiffness as for beyond-hertz; on more than two limbs takes over published contacts for two stance limbs; makes the lowest points level where the lower spheres carry the body alone",
-    ),
+    repair: Repair::Command("designs or multiplies the stiffness as for beyond-hertz; on more than two limbs takes over published contacts for two stance limbs; makes the lowest points level where the lower spheres carry the body alone"),
     example: Example::ElementText { tag: "stiffness", good: "4.4876e7", bad: "1e6" },
-};
+}
 
 pub(super) fn find_sunk_in(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> {
     sunk_in_level(check).or_else(|| sunk_in_at_own_heights(check))
@@ -183,16 +179,13 @@ fn advice_for_other_number_of_limbs(carrying: f64) -> Phrase {
 /// Contacts whose spheres sink in by less than this, x/R, are too stiff. Published contacts sink in by 0.06 or more.
 const LEAST_PLAUSIBLE_INDENTATION: f64 = 1e-3;
 
-pub(super) static TOO_STIFF: Rule = Rule {
-    code: FindingCode::TooStiff,
-    severity: Severity::Warning,
-    verdict: Some(VerdictOn::Solver),
+rule! { pub(super) TOO_STIFF: TooStiff, Warning, Solver;
     what: "The contacts are far too stiff: at body weight on one limb, spheres sink in by less than 0.001 R.",
     why: "No foot is so stiff, and a solver takes steps of microseconds, or fails. Published contacts sink in by 0.06 R or more. Mostly the stiffness is in another unit, or has a digit too many.",
     advice: "Write the stiffness in N/m2, such as 1e6 for a human",
     repair: Repair::NotPossible("only you know the right stiffness"),
     example: Example::ElementText { tag: "stiffness", good: "4.4876e7", bad: "4.4876e13" },
-};
+}
 
 pub(super) fn find_too_stiff(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> {
     // The smallest of them is the worst.
@@ -207,18 +200,13 @@ pub(super) fn find_too_stiff(check: &FigureCheck<'_>) -> Option<FindingWithRemed
     Some(check.finding_at_sphere(&TOO_STIFF, &text, &affected).into())
 }
 
-pub(super) static BEYOND_HERTZ: Rule = Rule {
-    code: FindingCode::BeyondHertz,
-    severity: Severity::Remark,
-    verdict: Some(VerdictOn::Mass),
+rule! { pub(super) BEYOND_HERTZ: BeyondHertz, Remark, Mass;
     what: "Spheres sink in deeper than Hertz' law is accurate for, at body weight on one limb.",
     why: "Hertz' law was found accurate up to a relative indentation of {indentation}, a contact patch of 0.4 R. Beyond it, the contact acts as a non-linear spring, no longer as a material. Most published gait models are beyond it (Falisse et al. 2022: 0.353).",
     advice: "Nothing, if a spring is intended; else make the spheres stiffer, larger or more, for a relative indentation of {indentation} at most",
-    repair: Repair::NotPossible(
-        "a remark: most published contacts are outside this limit, and their authors chose that",
-    ),
+    repair: Repair::NotPossible("a remark: most published contacts are outside this limit, and their authors chose that"),
     example: Example::ElementText { tag: "stiffness", good: "4.4876e7", bad: "1e7" },
-};
+}
 
 pub(super) fn find_beyond_hertz(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> {
     let affected = check.spheres_with(|sphere| {
@@ -240,16 +228,13 @@ pub fn ways_within_hertz(x: f64) -> Option<String> {
     ))
 }
 
-pub(super) static BEYOND_HERTZ_AT_TWO: Rule = Rule {
-    code: FindingCode::BeyondHertzAtTwo,
-    severity: Severity::Remark,
-    verdict: Some(VerdictOn::Mass),
+rule! { pub(super) BEYOND_HERTZ_AT_TWO: BeyondHertzAtTwo, Remark, Mass;
     what: "Spheres sink in deeper than Hertz' law is accurate for, at two body weights and not at one.",
     why: "A foot carries more than body weight in running and landing. At twice body weight the relative indentation is above {indentation}, up to which Hertz' law is accurate.",
     advice: "Nothing, if the model only walks; else make the spheres stiffer, larger or more, for a relative indentation of {indentation} at two body weights",
     repair: Repair::NotPossible("walking is within the limit; whether the model runs, only you know"),
     example: Example::ElementText { tag: "stiffness", good: "4.4876e7", bad: "2.5e7" },
-};
+}
 
 pub(super) fn find_beyond_hertz_at_two(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> {
     let only_at_two = |sphere: &SphereFigures| {

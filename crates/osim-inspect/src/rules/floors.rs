@@ -3,13 +3,11 @@
 
 use osim_model::feet::{ContactPlane, STEEPEST_FLOOR_RAD};
 use osim_model::messages::{Input, four_significant, phrase, readable, shown, three_significant};
-use osim_model::{
-    Example, Finding, FindingCode, GravityFor, MissingFact, Model, Repair, Rule, Severity, VerdictOn,
-    same_gravity,
-};
+use osim_model::{Example, Finding, GravityFor, MissingFact, Model, Repair, Rule, Severity, same_gravity};
 
 use crate::floors::{Floors, JudgedPlane, PlaneJudgement};
 use crate::{InspectOptions, Inspection};
+use osim_model::rule;
 
 /// A floor that leans by more than this, degrees, counts as upside down; a less steep one counts as upright.
 pub(super) const UPSIDE_DOWN_DEGREES: f64 = 135.0;
@@ -37,56 +35,38 @@ fn turned_finding(judged: &JudgedPlane, rule: &'static Rule, degrees: f64) -> Op
     Some(Finding::at(rule, orientation.line, text).with_place(&plane.path))
 }
 
-pub(super) static FLOOR_UPSIDE_DOWN: Rule = Rule {
-    code: FindingCode::FloorUpsideDown,
-    severity: Severity::Error,
-    verdict: Some(VerdictOn::Floor),
+rule! { pub(super) FLOOR_UPSIDE_DOWN: FloorUpsideDown, Error, Floor;
     what: "A floor is upside down: its solid side is above.",
     why: "The half-space is solid where the body is, so its spheres begin deep inside it and are pushed down. In OpenSim the solid side of a half-space is where x is above 0 in its own frame.",
     advice: "Turn the half-space: orientation 0 0 -1.5707963267948966 makes it face y, 0 0 1.5707963267948966 makes it face −y",
-    repair: Repair::NotPossible(
-        "the floor has to be corrected in the file; the finding names the line and what to write",
-    ),
-    example: Example::ElementText {
-        tag: "orientation",
-        good: "0 0 -1.5707963267948966",
-        bad: "0 0 1.5707963267948966",
-    },
-};
+    repair: Repair::NotPossible("the floor has to be corrected in the file; the finding names the line and what to write"),
+    example: Example::ElementText { tag: "orientation", good: "0 0 -1.5707963267948966",
+        bad: "0 0 1.5707963267948966" },
+}
 
 pub(super) fn find_upside_down(floors: &Floors) -> Vec<Finding> {
     find_turned(floors, &FLOOR_UPSIDE_DOWN, |degrees| degrees > UPSIDE_DOWN_DEGREES)
 }
 
-pub(super) static FLOOR_UPRIGHT: Rule = Rule {
-    code: FindingCode::FloorUpright,
-    severity: Severity::Error,
-    verdict: Some(VerdictOn::Floor),
+rule! { pub(super) FLOOR_UPRIGHT: FloorUpright, Error, Floor;
     what: "A floor is upright: it is tilted by more than 45 degrees.",
     why: "The spheres of a limb press on it and on no other floor, so the model falls past it for ever, or is inside it from the beginning. No published floor is tilted by more than 20.5 degrees. Walls that no foot presses on, such as the net of a goal, do not count as floors.",
     advice: "Turn the half-space: its surface faces along the −x of its own frame, and orientation 0 0 -1.5707963267948966 turns that to y",
-    repair: Repair::NotPossible(
-        "the floor has to be corrected in the file; the finding names the line and what to write",
-    ),
+    repair: Repair::NotPossible("the floor has to be corrected in the file; the finding names the line and what to write"),
     example: Example::ElementText { tag: "orientation", good: "0 0 -1.5707963267948966", bad: "0 0 0" },
-};
+}
 
 pub(super) fn find_upright(floors: &Floors) -> Vec<Finding> {
     find_turned(floors, &FLOOR_UPRIGHT, |degrees| degrees <= UPSIDE_DOWN_DEGREES)
 }
 
-pub(super) static FLOOR_ON_LIMB: Rule = Rule {
-    code: FindingCode::FloorOnLimb,
-    severity: Severity::Error,
-    verdict: Some(VerdictOn::Floor),
+rule! { pub(super) FLOOR_ON_LIMB: FloorOnLimb, Error, Floor;
     what: "A floor is fixed to a body from which the spheres that press on it cannot be lifted.",
     why: "A floor on the pelvis moves with the pelvis: joints turn the feet against it and lift nothing, so it carries no weight and the model falls for ever. Published floors are fixed to ground, to a chair or to a platform, which the body can leave.",
     advice: "Attach the half-space to ground, or to the platform that it belongs to, and check its location and orientation there",
-    repair: Repair::NotPossible(
-        "the floor has to be attached in the file; the finding names the line and what to write",
-    ),
+    repair: Repair::NotPossible("the floor has to be attached in the file; the finding names the line and what to write"),
     example: Example::Models { good: "check/known_contacts.osim", bad: "check/floor_on_limb.osim" },
-};
+}
 
 pub(super) fn find_on_limb(floors: &Floors) -> Vec<Finding> {
     floors.iter().filter_map(on_limb_finding).collect()
@@ -106,16 +86,13 @@ fn on_limb_finding(judged: &JudgedPlane) -> Option<Finding> {
     Some(Finding::at(&FLOOR_ON_LIMB, frame.line, text).with_place(&plane.path))
 }
 
-pub(super) static FLOOR_SLOPES: Rule = Rule {
-    code: FindingCode::FloorSlopes,
-    severity: Severity::Remark,
-    verdict: Some(VerdictOn::Floor),
+rule! { pub(super) FLOOR_SLOPES: FloorSlopes, Remark, Floor;
     what: "A floor is tilted by more than 1 degree, and by no more than 45: a slope.",
     why: "On a slope only the part of gravity along its normal presses spheres into it; values under body weight use that part. Published slopes have up to 20.5 degrees.",
     advice: "Nothing, if this is intended; else turn the half-space",
     repair: Repair::NotPossible("only you know whether a slope is intended"),
     example: Example::ElementText { tag: "orientation", good: "0 0 -1.5707963267948966", bad: "0 0 -1.4" },
-};
+}
 
 pub(super) fn find_slopes(floors: &Floors) -> Vec<Finding> {
     floors.iter().filter_map(slope_finding).collect()
@@ -132,16 +109,13 @@ fn slope_finding(judged: &JudgedPlane) -> Option<Finding> {
     Some(Finding::at(&FLOOR_SLOPES, plane.line, text).with_place(&plane.path))
 }
 
-pub(super) static FLOOR_STEP: Rule = Rule {
-    code: FindingCode::FloorStep,
-    severity: Severity::Remark,
-    verdict: Some(VerdictOn::Floor),
+rule! { pub(super) FLOOR_STEP: FloorStep, Remark, Floor;
     what: "Two floors that face the same way are at different heights.",
     why: "Each sphere presses only on the floors of its own force. A step or a platform is right; a floor that was moved by mistake leaves one foot in the air, or inside the ground.",
     advice: "Nothing, if a step is intended; else give both floors the same location",
     repair: Repair::NotPossible("only you know whether a step is intended"),
     example: Example::Models { good: "format/two_floors.osim", bad: "check/floor_step.osim" },
-};
+}
 
 /// Floors face the same way if the cosine of the angle between them is larger than this, which is 1 degree.
 const SAME_DIRECTION: f64 = 0.99985;
@@ -173,16 +147,13 @@ pub(super) fn find_step(floors: &Floors) -> Vec<Finding> {
     largest.map(finding).into_iter().collect()
 }
 
-pub(crate) static NO_GRAVITY: Rule = Rule {
-    code: FindingCode::NoGravity,
-    severity: Severity::Error,
-    verdict: Some(VerdictOn::Floor),
+rule! { pub(crate) NO_GRAVITY: NoGravity, Error, Floor;
     what: "Spheres press on a floor, and the model has no gravity.",
     why: "Nothing holds the body on its floor, so it drifts away after the first push; without body weight indentations are not judged. All published models in our tests have gravity.",
     advice: "Set gravity in the model, usually to 0 -9.80665 0, or look at it under another one with `check MODEL gravity=G`",
     repair: Repair::NotPossible("only you know the gravity"),
     example: Example::ElementText { tag: "gravity", good: "0 -9.81 0", bad: "0 0 0" },
-};
+}
 
 /// Finds a model without gravity. `are_floors` says whether moving spheres press on any plane.
 pub(crate) fn find_no_gravity(
@@ -197,18 +168,13 @@ pub(crate) fn find_no_gravity(
     is_missing.then(|| Finding::new(&NO_GRAVITY, fact.phrase()).with_line(model.gravity_line()))
 }
 
-pub(crate) static GRAVITY_TOO_LARGE: Rule = Rule {
-    code: FindingCode::GravityTooLarge,
-    severity: Severity::Error,
-    verdict: Some(VerdictOn::Floor),
+rule! { pub(crate) GRAVITY_TOO_LARGE: GravityTooLarge, Error, Floor;
     what: "Gravity is more than 100 m/s2: it is probably in mm/s2 or cm/s2.",
     why: "Under a thousand times its weight every sphere sinks in beyond its centre, and a simulation fails. 100 m/s² are ten times the Earth's gravity, and four times that of Jupiter, the most of all planets; 981 and 9810 are the Earth's in cm/s² and mm/s². Values under that weight are not judged.",
     advice: "Write gravity in m/s²",
-    repair: Repair::NotPossible(
-        "gravity has to be corrected in the file; the finding names the line and what to write",
-    ),
+    repair: Repair::NotPossible("gravity has to be corrected in the file; the finding names the line and what to write"),
     example: Example::ElementText { tag: "gravity", good: "0 -9.81 0", bad: "0 -9810 0" },
-};
+}
 
 /// A gravity above this, m/s², probably is in another unit.
 const LARGEST_GRAVITY: f64 = 100.0;
@@ -237,16 +203,13 @@ const KNOWN_GRAVITY: std::ops::RangeInclusive<f64> = 0.1..=20.0;
 /// A gravity below this, m/s², is not the Earth's.
 const LEAST_GRAVITY_ON_EARTH: f64 = 9.0;
 
-pub(crate) static ODD_GRAVITY: Rule = Rule {
-    code: FindingCode::OddGravity,
-    severity: Severity::Warning,
-    verdict: Some(VerdictOn::Floor),
+rule! { pub(crate) ODD_GRAVITY: OddGravity, Warning, Floor;
     what: "Gravity is not that of the Earth. It is a remark from 0.1 to 9 m/s2, as on the Moon.",
     why: "32.17 is the Earth's gravity in feet, 98.1 and 0.00981 have a misplaced decimal point or another unit, and 1 is in multiples of the Earth's. Loads, indentations and speeds of impact follow gravity.",
     advice: "Write gravity in m/s², usually 0 -9.80665 0; nothing, if another gravity is intended",
     repair: Repair::NotPossible("only you know the gravity"),
     example: Example::ElementText { tag: "gravity", good: "0 -9.81 0", bad: "0 -32.17 0" },
-};
+}
 
 /// Finds a gravity that is unlike the Earth's. One that a planet or a moon has is right if the note says that the contacts are made for it.
 pub(crate) fn find_odd_gravity(model: &Model, floors: &Floors) -> Option<Finding> {
@@ -262,18 +225,13 @@ pub(crate) fn find_odd_gravity(model: &Model, floors: &Floors) -> Option<Finding
     Some(if of_a_place { finding.with_severity(Severity::Remark) } else { finding })
 }
 
-pub(crate) static GRAVITY_NOT_DOWN: Rule = Rule {
-    code: FindingCode::GravityNotDown,
-    severity: Severity::Error,
-    verdict: Some(VerdictOn::Floor),
+rule! { pub(crate) GRAVITY_NOT_DOWN: GravityNotDown, Error, Floor;
     what: "Gravity points out of the floor or along it, not into it.",
     why: "The body is on the free side of the floor, and gravity pulls it off the floor or along it: the model falls for ever.",
     advice: "Write gravity against the direction in which the floor faces, usually 0 -9.80665 0",
-    repair: Repair::NotPossible(
-        "gravity has to be corrected in the file; the finding names the line and what to write",
-    ),
+    repair: Repair::NotPossible("gravity has to be corrected in the file; the finding names the line and what to write"),
     example: Example::ElementText { tag: "gravity", good: "0 -9.81 0", bad: "0 9.81 0" },
-};
+}
 
 /// Components of a direction that are smaller than this are rounding errors.
 const ROUNDING: f64 = 1e-6;
@@ -297,20 +255,14 @@ fn not_down_finding(model: &Model, judged: &JudgedPlane) -> Option<Finding> {
     Some(Finding::new(&GRAVITY_NOT_DOWN, text).with_line(model.gravity_line()))
 }
 
-pub(crate) static GRAVITY_SOURCES_DISAGREE: Rule = Rule {
-    code: FindingCode::GravitySourcesDisagree,
-    severity: Severity::Warning,
-    verdict: Some(VerdictOn::Mass),
+rule! { pub(crate) GRAVITY_SOURCES_DISAGREE: GravitySourcesDisagree, Warning, Mass;
     what: "The note gives another gravity than the model.",
     why: "Under another gravity than they were made for, spheres sink in more or less; values are those under the model's own.",
     advice: "Set gravity in OpenSim, or look at the model under the gravity of its contacts with `check MODEL gravity=G`",
     repair: Repair::NotPossible("only you know which gravity is right"),
-    example: Example::Piece {
-        model: "check/noted.osim",
-        good: "<gravity>0 -9.81 0</gravity>",
-        bad: "<gravity>0 -1.62 0</gravity>",
-    },
-};
+    example: Example::Piece { model: "check/noted.osim", good: "<gravity>0 -9.81 0</gravity>",
+        bad: "<gravity>0 -1.62 0</gravity>" },
+}
 
 /// Finds a note with another gravity than the model's, unless the caller says which one counts.
 pub(crate) fn find_sources_disagree(model: &Model, options: &InspectOptions) -> Option<Finding> {

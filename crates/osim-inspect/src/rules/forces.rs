@@ -3,8 +3,8 @@
 use foldhash::{HashSet, HashSetExt};
 use osim_model::messages::{readable, shown};
 use osim_model::{
-    Body, Example, Finding, FindingCode, Force, ForceKind, Model, ParameterSet, Repair, Rule, Selection,
-    SetId, Severity, Side, Sphere, VerdictOn,
+    Body, Example, Finding, Force, ForceKind, Model, ParameterSet, Repair, Rule, Selection, SetId, Side,
+    Sphere,
 };
 use osim_requests::options::{ClassChoice, ForceOptions};
 use osim_requests::{ConvertRequest, Request};
@@ -12,6 +12,7 @@ use osim_requests::{ConvertRequest, Request};
 use crate::findings::{Remedies, exact_pattern};
 use crate::rules::skeleton::foot_spheres_on_ground;
 use crate::rules::spheres::{about_spheres, and_others};
+use osim_model::rule;
 
 /// One finding for all forces with a parameter set that `describe` has a text about: the text of the first one, and how many others.
 pub(super) fn about_forces(
@@ -28,16 +29,13 @@ pub(super) fn about_forces(
     Some(Finding::at(rule, set.line, format!("{text}{more}")).with_place(&force.path))
 }
 
-pub(super) static SEVERAL_SPHERES_ONE_FORCE: Rule = Rule {
-    code: FindingCode::SeveralSpheres,
-    severity: Severity::Remark,
-    verdict: Some(VerdictOn::Solver),
+rule! { pub(super) SEVERAL_SPHERES_ONE_FORCE: SeveralSpheres, Remark, Solver;
     what: "One HuntCrossleyForce has several spheres.",
     why: "In Simbody, when one sphere of a HuntCrossleyForce leaves the ground faster than 2/(3 dissipation), the spheres evaluated after it lose their force in that step.",
     advice: "Nothing, if feet leave the ground slowly: half of the published models have one force for each foot. Otherwise give each sphere a HuntCrossleyForce of its own",
     repair: Repair::NotPossible("published models are made so on purpose"),
     example: Example::Models { good: "table1/human_62kg_hunt_crossley.osim", bad: "format/v40000.osim" },
-};
+}
 
 pub(super) fn find_several_spheres_one_force(model: &Model) -> Vec<Finding> {
     let mut found = Vec::new();
@@ -52,20 +50,15 @@ pub(super) fn find_several_spheres_one_force(model: &Model) -> Vec<Finding> {
     found
 }
 
-pub(super) static SPHERE_IN_TWO_FORCES: Rule = Rule {
-    code: FindingCode::SphereInTwoForces,
-    severity: Severity::Warning,
-    verdict: Some(VerdictOn::Mass),
+rule! { pub(super) SPHERE_IN_TWO_FORCES: SphereInTwoForces, Warning, Mass;
     what: "One sphere is used by two contact forces.",
     why: "Both forces act, so the sphere is stiffer than either stiffness says, and the sphere count by which parameters scale is not what it seems.",
     advice: "Leave the sphere in one force",
     repair: Repair::NotPossible("only you know which force is right"),
-    example: Example::Piece {
-        model: "format/unequal_radii.osim",
+    example: Example::Piece { model: "format/unequal_radii.osim",
         good: "<socket_sphere>/contactgeometryset/toe_r</socket_sphere>",
-        bad: "<socket_sphere>/contactgeometryset/heel_r</socket_sphere>",
-    },
-};
+        bad: "<socket_sphere>/contactgeometryset/heel_r</socket_sphere>" },
+}
 
 pub(super) fn find_sphere_in_two_forces(model: &Model) -> Vec<Finding> {
     let shared = model.spheres_in_several_forces().into_iter();
@@ -93,20 +86,14 @@ pub(super) fn find_in_surfaces(model: &Model) -> Vec<Finding> {
     rules.into_iter().filter_map(find).collect()
 }
 
-pub(super) static SURFACE_NAMED_TWICE: Rule = Rule {
-    code: FindingCode::SurfaceNamedTwice,
-    severity: Severity::Warning,
-    verdict: Some(VerdictOn::Mass),
+rule! { pub(super) SURFACE_NAMED_TWICE: SurfaceNamedTwice, Warning, Mass;
     what: "A HuntCrossleyForce names a sphere or a floor more than once.",
     why: "OpenSim presses each pair of surfaces as often as the force names it, so that contacts are several times as stiff as they look. A loop in a script that adds the floor with each sphere makes such a force.",
     advice: "Name each surface once, in one of the force's parameter sets",
     repair: Repair::NotPossible("only you know which parameter set is right"),
-    example: Example::Piece {
-        model: "format/v40000.osim",
-        good: "<geometry>floor heel_l toe_l</geometry>",
-        bad: "<geometry>floor heel_l floor toe_l</geometry>",
-    },
-};
+    example: Example::Piece { model: "format/v40000.osim", good: "<geometry>floor heel_l toe_l</geometry>",
+        bad: "<geometry>floor heel_l floor toe_l</geometry>" },
+}
 
 fn describe_named_twice(model: &Model, force: &Force) -> Option<String> {
     let mut spheres = HashSet::new();
@@ -124,20 +111,14 @@ fn describe_named_twice(model: &Model, force: &Force) -> Option<String> {
     Some(format!("{} names {} more than once, and presses it each time", force.path, shown(&name)))
 }
 
-pub(super) static NO_SURFACES_MEET: Rule = Rule {
-    code: FindingCode::NoSurfacesMeet,
-    severity: Severity::Warning,
-    verdict: Some(VerdictOn::Mass),
+rule! { pub(super) NO_SURFACES_MEET: NoSurfacesMeet, Warning, Mass;
     what: "None of the surfaces of a HuntCrossleyForce can meet another one.",
     why: "A sphere presses on a half-space or on a sphere of another body that the force names, too. Without one the force is always 0.",
     advice: "Name the floor in the force",
     repair: Repair::NotPossible("only you know which floor is right"),
-    example: Example::Piece {
-        model: "format/v40000.osim",
-        good: "<geometry>floor heel_l toe_l</geometry>",
-        bad: "<geometry>heel_l toe_l</geometry>",
-    },
-};
+    example: Example::Piece { model: "format/v40000.osim", good: "<geometry>floor heel_l toe_l</geometry>",
+        bad: "<geometry>heel_l toe_l</geometry>" },
+}
 
 fn describe_apart(model: &Model, force: &Force) -> Option<String> {
     let has_others = force.sets.iter().any(|set| !set.other_surfaces.is_empty());
@@ -160,20 +141,14 @@ fn describe_apart(model: &Model, force: &Force) -> Option<String> {
         .then(|| format!("no two of the surfaces that {} names can meet: it presses nothing", force.path))
 }
 
-pub(super) static SPHERE_OF_OTHER_SIDE: Rule = Rule {
-    code: FindingCode::SphereOfOtherSide,
-    severity: Severity::Warning,
-    verdict: Some(VerdictOn::Sides),
+rule! { pub(super) SPHERE_OF_OTHER_SIDE: SphereOfOtherSide, Warning, Sides;
     what: "A force of one side presses spheres of both sides.",
     why: "Forces of feet are read by the names of the contact forces: the result of one foot then has a part of the other one's. In no published model it is so.",
     advice: "Name the sphere of the force's own side, or move this one to the force of the other side",
     repair: Repair::NotPossible("only you know which sphere is right"),
-    example: Example::Piece {
-        model: "format/v40000.osim",
-        good: "<geometry>floor heel_r toe_r</geometry>",
-        bad: "<geometry>floor heel_l toe_r</geometry>",
-    },
-};
+    example: Example::Piece { model: "format/v40000.osim", good: "<geometry>floor heel_r toe_r</geometry>",
+        bad: "<geometry>floor heel_l toe_r</geometry>" },
+}
 
 fn describe_other_side(model: &Model, force: &Force) -> Option<String> {
     let side = Side::of_name(&force.name)?;
@@ -190,16 +165,13 @@ fn describe_other_side(model: &Model, force: &Force) -> Option<String> {
     ))
 }
 
-pub(super) static SHAPE_PRESSES_NOTHING: Rule = Rule {
-    code: FindingCode::ShapePressesNothing,
-    severity: Severity::Warning,
-    verdict: Some(VerdictOn::Mass),
+rule! { pub(super) SHAPE_PRESSES_NOTHING: ShapePressesNothing, Warning, Mass;
     what: "A HuntCrossleyForce names a cylinder, a torus or a mesh.",
     why: "OpenSim computes no force for such a surface in a HuntCrossleyForce: it presses nothing, and the spheres beside it carry its share.",
     advice: "Put a sphere or an ellipsoid in its place; a mesh belongs in an ElasticFoundationForce",
     repair: Repair::NotPossible("only you know which shape was meant"),
     example: Example::Models { good: "shapes/ellipsoid.osim", bad: "shapes/torus_and_cylinder.osim" },
-};
+}
 
 fn describe_shape(model: &Model, force: &Force) -> Option<String> {
     let components = model.components();
@@ -212,16 +184,13 @@ fn describe_shape(model: &Model, force: &Force) -> Option<String> {
     ))
 }
 
-pub(super) static ELLIPSOID: Rule = Rule {
-    code: FindingCode::Ellipsoid,
-    severity: Severity::Remark,
-    verdict: None,
+rule! { pub(super) ELLIPSOID: Ellipsoid, Remark;
     what: "A contact force presses an ellipsoid.",
     why: "OpenSim presses it on a half-space in a HuntCrossleyForce. With all radii times 2 the force is 4 times as large, as that of a sphere, so its radii are scaled as those of spheres. Figures that need a sphere, such as x/R and lowest points, do not hold for it.",
     advice: "Nothing, if this is intended",
     repair: Repair::NotPossible("nothing is wrong"),
     example: Example::Models { good: "format/v40000.osim", bad: "shapes/ellipsoid.osim" },
-};
+}
 
 pub(super) fn find_ellipsoid(model: &Model) -> Vec<Finding> {
     let loaded = model.loaded_spheres(&model.force_ids()).into_iter().filter_map(|id| model.sphere(id));
@@ -235,18 +204,13 @@ pub(super) fn find_ellipsoid(model: &Model) -> Vec<Finding> {
     about_spheres(&ELLIPSOID, text, ellipsoids.iter().copied()).into_iter().collect()
 }
 
-pub(super) static MOCO_DIALECT: Rule = Rule {
-    code: FindingCode::MocoDialect,
-    severity: Severity::Warning,
-    verdict: None,
+rule! { pub(super) MOCO_DIALECT: MocoDialect, Warning;
     what: "The sphere's radius is inside the force, as in Moco 0.1 to 0.3.",
     why: "OpenSim 4.2 and later cannot read such forces; the model works in OpenSim Moco 0.1 to 0.3 only.",
     advice: "Take spheres and planes out of the forces; OpenSim 4.2 and later would lose them without a message when they save the model",
-    repair: Repair::Command(
-        "makes spheres and planes members of the ContactGeometrySet, with all numbers as they are",
-    ),
+    repair: Repair::Command("makes spheres and planes members of the ContactGeometrySet, with all numbers as they are"),
     example: Example::Models { good: "format/v40000.osim", bad: "format/moco_sphere_in_force.osim" },
-};
+}
 
 pub(super) fn find_moco_dialect(model: &Model) -> Vec<Finding> {
     let inside_forces = model.spheres().iter().filter(|sphere| sphere.is_inside_force());
@@ -279,20 +243,15 @@ pub(super) fn convert_moco_forces(
     Some(ConvertRequest { models, to, choice, ..ConvertRequest::default() }.into())
 }
 
-pub(super) static DEAD_DERIVATIVE_SMOOTHING: Rule = Rule {
-    code: FindingCode::DeadDerivativeSmoothing,
-    severity: Severity::Warning,
-    verdict: Some(VerdictOn::Solver),
+rule! { pub(super) DEAD_DERIVATIVE_SMOOTHING: DeadDerivativeSmoothing, Warning, Solver;
     what: "The file has a derivative_smoothing element, which OpenSim ignores.",
     why: "derivative_smoothing was the name of constant_contact_force in early Moco. OpenSim ignores it and uses its default of 1e-5 m2 for constant_contact_force.",
     advice: "Remove the element, and write constant_contact_force if it should have another value",
     repair: Repair::NotPossible("only you know which value is right"),
-    example: Example::Piece {
-        model: "check/within_limits.osim",
+    example: Example::Piece { model: "check/within_limits.osim",
         good: "<constant_contact_force>9e-07</constant_contact_force>",
-        bad: "<derivative_smoothing>9e-07</derivative_smoothing>",
-    },
-};
+        bad: "<derivative_smoothing>9e-07</derivative_smoothing>" },
+}
 
 pub(super) fn find_dead_derivative_smoothing(model: &Model) -> Vec<Finding> {
     let mut found = Vec::new();
@@ -308,16 +267,13 @@ pub(super) fn find_dead_derivative_smoothing(model: &Model) -> Vec<Finding> {
     found
 }
 
-pub(super) static TERRAIN: Rule = Rule {
-    code: FindingCode::Terrain,
-    severity: Severity::Remark,
-    verdict: None,
+rule! { pub(super) TERRAIN: Terrain, Remark;
     what: "A sphere stands on ground or a body welded to it, or such a body has mass, or a plate that carries the floor.",
     why: "Such a sphere or body is scenery: it does not grow with the animal and does not carry it. It counts in no limb, no mass and no other value, and no verb changes it. A body to which others are joined does not count as scenery, so a model whose pelvis is fixed keeps its whole mass.",
     advice: "Nothing, if this is intended",
     repair: Repair::NotPossible("nothing is wrong"),
     example: Example::Models { good: "format/v40000.osim", bad: "format/terrain_on_ground.osim" },
-};
+}
 
 /// Finds spheres and bodies of terrain: one finding for all its spheres, and one for all its bodies.
 pub(super) fn find_terrain(model: &Model) -> Vec<Finding> {

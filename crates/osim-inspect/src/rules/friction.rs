@@ -1,11 +1,10 @@
 //! Rules about friction and dissipation of contacts.
 
 use osim_model::messages::readable;
-use osim_model::{
-    Example, Finding, FindingCode, Model, Property, Repair, Rule, SetId, Severity, ValueOrigin, VerdictOn,
-};
+use osim_model::{Example, Finding, Model, Property, Repair, SetId, Severity, ValueOrigin};
 
 use crate::rules::forces::about_forces;
+use osim_model::rule;
 
 /// The largest plausible coefficient of static or dynamic friction: that of the stickiest rubber.
 const LARGEST_FRICTION: f64 = 2.0;
@@ -14,16 +13,13 @@ const LARGEST_VISCOUS_FRICTION: f64 = 10.0;
 /// A coefficient of viscous friction above this, s/m, is a remark.
 const UNUSUAL_VISCOUS_FRICTION: f64 = 2.0;
 
-pub(super) static LARGE_FRICTION: Rule = Rule {
-    code: FindingCode::LargeFriction,
-    severity: Severity::Warning,
-    verdict: Some(VerdictOn::Sizes),
+rule! { pub(super) LARGE_FRICTION: LargeFriction, Warning, Sizes;
     what: "A coefficient of friction is larger than that of any surface. It is a remark for a viscous friction from 2 to 10 s/m.",
     why: "Between a foot and a floor it is about 0.3 to 1, and for the stickiest rubber about 2. More mostly is a percentage, or lacks its decimal point; a foot that slides is then stopped by a force of many times its weight. Published models have a viscous friction of up to 0.6 s/m.",
     advice: "Write the right coefficient, such as 0.8",
     repair: Repair::NotPossible("only you know the right number"),
     example: Example::ElementText { tag: "static_friction", good: "0.81", bad: "81" },
-};
+}
 
 /// Finds coefficients of friction and transition velocities that are unlikely: at most one finding for each rule.
 pub(super) fn find_odd_friction(model: &Model) -> Vec<Finding> {
@@ -53,16 +49,13 @@ fn find_large_friction(model: &Model) -> Option<Finding> {
     above(LARGEST_VISCOUS_FRICTION).or_else(unusual)
 }
 
-pub(super) static DYNAMIC_ABOVE_STATIC: Rule = Rule {
-    code: FindingCode::DynamicAboveStatic,
-    severity: Severity::Warning,
-    verdict: Some(VerdictOn::Sizes),
+rule! { pub(super) DYNAMIC_ABOVE_STATIC: DynamicAboveStatic, Warning, Sizes;
     what: "The dynamic friction is larger than the static friction.",
     why: "No pair of materials is so: a foot that slides would be held more than one that rests. Mostly the two numbers were exchanged, or one lost its decimal point.",
     advice: "Write the larger of the two as static_friction; most published models have 0.8 for both",
     repair: Repair::NotPossible("only you know the right numbers"),
     example: Example::ElementText { tag: "static_friction", good: "0.81", bad: "0.18" },
-};
+}
 
 fn find_dynamic_above_static(model: &Model) -> Option<Finding> {
     about_forces(model, &DYNAMIC_ABOVE_STATIC, |force, set| {
@@ -81,16 +74,13 @@ const LARGEST_TRANSITION_VELOCITY: f64 = 5.0;
 /// A transition velocity up to this, m/s, is plain Coulomb friction. Published models have 0.01 to 0.2.
 const LEAST_TRANSITION_VELOCITY: f64 = 1e-4;
 
-pub(super) static ODD_TRANSITION_VELOCITY: Rule = Rule {
-    code: FindingCode::OddTransitionVelocity,
-    severity: Severity::Warning,
-    verdict: Some(VerdictOn::Solver),
+rule! { pub(super) ODD_TRANSITION_VELOCITY: OddTransitionVelocity, Warning, Solver;
     what: "The transition velocity is above 5 m/s. It is a remark up to 0.0001 m/s.",
     why: "Friction grows with the slip speed up to transition_velocity. Above 5 m/s a walking foot has hardly any friction; mostly the number is in mm/s. With 0 the friction is Coulomb's law: the dynamic coefficient at every speed, and no force at rest. A solver takes very small steps there. Published models have 0.01 to 0.2 m/s.",
     advice: "Nothing, if Coulomb's law is intended; else write the velocity in m/s, such as 0.2",
     repair: Repair::NotPossible("only you know the right number"),
     example: Example::ElementText { tag: "transition_velocity", good: "0.17", bad: "170" },
-};
+}
 
 fn find_odd_transition_velocity(model: &Model) -> Option<Finding> {
     let where_odd = |is_odd: fn(f64) -> bool, what: &str| {
@@ -106,30 +96,24 @@ fn find_odd_transition_velocity(model: &Model) -> Option<Finding> {
     large.or_else(|| Some(coulomb()?.with_severity(Severity::Remark)))
 }
 
-pub(super) static NO_FRICTION: Rule = Rule {
-    code: FindingCode::NoFriction,
-    severity: Severity::Remark,
-    verdict: Some(VerdictOn::Solver),
+rule! { pub(super) NO_FRICTION: NoFriction, Remark, Solver;
     what: "No contact has friction.",
     why: "With all coefficients of friction 0, nothing stops a foot from sliding: a body that stands slides away at the first push.",
     advice: "Nothing, if this is intended; else write the coefficients, such as 0.8",
     repair: Repair::NotPossible("only you know the right numbers"),
     example: Example::Models { good: "check/known_contacts.osim", bad: "check/no_friction.osim" },
-};
+}
 
 /// A dissipation below this, s/m, takes away almost no energy: 0.008 would take half a percent of the speed of an impact at 1 m/s.
 const LEAST_DISSIPATION_S_M: f64 = 1e-3;
 
-pub(super) static NO_DISSIPATION: Rule = Rule {
-    code: FindingCode::NoDissipation,
-    severity: Severity::Remark,
-    verdict: Some(VerdictOn::Solver),
+rule! { pub(super) NO_DISSIPATION: NoDissipation, Remark, Solver;
     what: "No contact has dissipation.",
     why: "Contacts that take away no energy bounce for ever: a body that lands on them does not come to rest.",
     advice: "Nothing, if this is intended; else write the dissipation, for example for a restitution of {restitution}",
     repair: Repair::NotPossible("only you know the right number"),
     example: Example::ElementText { tag: "dissipation", good: "0.4", bad: "0" },
-};
+}
 
 /// Finds models in which no force on a floor has friction, or none has dissipation.
 pub(super) fn find_no_friction_or_dissipation(model: &Model) -> Vec<Finding> {

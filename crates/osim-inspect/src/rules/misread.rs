@@ -2,8 +2,8 @@
 
 use osim_model::opensim_text::{self, plain_numbers};
 use osim_model::{
-    Document, ElementId, Example, FileId, Finding, FindingCode, ForceKind, LAST_VERSION_WITH_IS_DISABLED,
-    Model, Property, Repair, Rule, Severity, Value, VerdictOn,
+    Document, ElementId, Example, FileId, Finding, ForceKind, LAST_VERSION_WITH_IS_DISABLED, Model, Property,
+    Repair, Rule, Value,
 };
 
 use crate::rules::numbers::is_default_stiffness;
@@ -51,6 +51,7 @@ enum TextForm {
     OldNumbers(Option<usize>),
 }
 use TextForm::{Flag, Numbers, OldFlag, OldNumbers};
+use osim_model::rule;
 
 /// Properties of one form: their tags, the form of the text, and the default in OpenSim. If there is no default, OpenSim refuses the model.
 type WrittenProperties = (&'static [&'static str], TextForm, Option<&'static str>);
@@ -324,32 +325,26 @@ fn old_words(text: &str) -> Vec<&str> {
     if text.contains(',') { text.split(',').collect() } else { opensim_text::words(text).collect() }
 }
 
-pub(super) static NOT_FINITE: Rule = Rule {
-    code: FindingCode::NotFinite,
-    severity: Severity::Error,
-    verdict: Some(VerdictOn::Sizes),
+rule! { pub(super) NOT_FINITE: NotFinite, Error, Sizes;
     what: "A number in the file is not finite.",
     why: "JSON has no NaN and no infinity: such a number is null there. What OpenSim computes from it is meaningless.",
     advice: "Correct the number in the model",
     repair: Repair::NotPossible("only you know which number is right"),
     example: Example::ElementText { tag: "radius", good: "0.0325", bad: "nan" },
-};
+}
 
 /// Why a value is not finite, in words that follow the name of the value.
 fn describe_not_finite(value: &Value) -> Option<String> {
     (!value.number.is_finite()).then(|| format!("is {}", value.number))
 }
 
-pub(super) static ODD_NUMBER: Rule = Rule {
-    code: FindingCode::OddNumber,
-    severity: Severity::Error,
-    verdict: Some(VerdictOn::Sizes),
+rule! { pub(super) ODD_NUMBER: OddNumber, Error, Sizes;
     what: "A number or flag is written in a way that OpenSim reads differently from what it looks like.",
     why: "OpenSim reads the start of a text as far as it looks like a number and ignores the rest, or silently takes its default. This holds for contacts, for masses, and for all that a pose depends on: frames, joints, coordinates.",
     advice: "Write numbers plainly, like 1.5e6, with blanks between them, and flags as true or false",
     repair: Repair::NotPossible("only you know which value is right"),
     example: Example::ElementText { tag: "radius", good: "0.0325", bad: "0,0325" },
-};
+}
 
 /// What is odd about the writing of a value, in words that follow the name of the value.
 fn describe_odd_number(value: &Value) -> Option<String> {
@@ -361,16 +356,13 @@ fn describe_odd_number(value: &Value) -> Option<String> {
     value.fault.is_some().then(|| format!("is '{}', {meaning}", value.text))
 }
 
-pub(super) static OUT_OF_DOMAIN: Rule = Rule {
-    code: FindingCode::OutOfDomain,
-    severity: Severity::Error,
-    verdict: Some(VerdictOn::Sizes),
+rule! { pub(super) OUT_OF_DOMAIN: OutOfDomain, Error, Sizes;
     what: "A number lies outside the domain of the contact laws.",
     why: "OpenSim accepts it and computes NaN or meaningless numbers; such a model is not changed.",
     advice: "Correct the number in the model",
     repair: Repair::NotPossible("only you know which number is right"),
     example: Example::ElementText { tag: "radius", good: "0.0325", bad: "-0.0325" },
-};
+}
 
 /// Why a value is outside its domain, in words that follow the name of the value. A default stiffness is left to another rule.
 fn describe_out_of_domain(value: &Value) -> Option<String> {

@@ -3,31 +3,26 @@
 use contact_scaling::limits::SUGGESTED_CONSTANT_INDENTATION;
 use osim_model::messages::{readable, shown, three_significant};
 use osim_model::{
-    Body, Example, Finding, FindingCode, JointCoordinate, Model, Orientation, Property, Repair, Rule, SetId,
-    Severity, Value, ValueOrigin, VerdictOn,
+    Body, Example, Finding, JointCoordinate, Model, Orientation, Property, Repair, SetId, Severity, Value,
+    ValueOrigin,
 };
 use osim_requests::Request;
 
 use crate::findings::Remedies;
 use crate::rules::spheres::and_others;
+use osim_model::rule;
 
 /// The largest inertia, kg m², that a body without mass may have. Programs write tiny inertias for frames that weigh nothing.
 const INERTIA_OF_MASSLESS_FRAME: f64 = 1e-6;
 
-pub(super) static MASSLESS_BODY: Rule = Rule {
-    code: FindingCode::MasslessBody,
-    severity: Severity::Warning,
-    verdict: Some(VerdictOn::Mass),
+rule! { pub(super) MASSLESS_BODY: MasslessBody, Warning, Mass;
     what: "A body has an inertia and a mass of 0.",
     why: "A real body with inertia has mass, and OpenSim sets the inertia to 0, too. Then the model weighs less than it should, and contacts that are made for the whole body look too stiff. A frame without mass has no inertia.",
     advice: "Write the mass of the body",
     repair: Repair::NotPossible("only you know what the body weighs"),
-    example: Example::Piece {
-        model: "check/known_contacts.osim",
-        good: "<mass>60</mass>",
-        bad: "<mass>0</mass>",
-    },
-};
+    example: Example::Piece { model: "check/known_contacts.osim", good: "<mass>60</mass>",
+        bad: "<mass>0</mass>" },
+}
 
 /// One finding for all bodies with an inertia and no mass.
 pub(super) fn find_massless_body(model: &Model) -> Vec<Finding> {
@@ -51,16 +46,13 @@ pub(super) fn find_massless_body(model: &Model) -> Vec<Finding> {
 /// A default value may be outside its range by this much, rad or m, as in OpenSim.
 const RANGE_TOLERANCE: f64 = 1e-7;
 
-pub(super) static DEFAULT_OUTSIDE_RANGE: Rule = Rule {
-    code: FindingCode::DefaultOutsideRange,
-    severity: Severity::Warning,
-    verdict: Some(VerdictOn::Standing),
+rule! { pub(super) DEFAULT_OUTSIDE_RANGE: DefaultOutsideRange, Warning, Standing;
     what: "The default value of a coordinate is outside the coordinate's own range. It is an error if the coordinate is clamped.",
     why: "OpenSim reads radians and metres; mostly the value is in degrees or millimetres. It refuses a model with such a value in a clamped coordinate, and starts others from a pose that no joint has.",
     advice: "Write the value in radians or metres, or correct the range",
     repair: Repair::NotPossible("only you know the right pose"),
     example: Example::Models { good: "check/known_contacts.osim", bad: "check/default_outside_range.osim" },
-};
+}
 
 /// One finding for all coordinates whose default value is outside their range.
 pub(super) fn find_default_outside_range(model: &Model) -> Vec<Finding> {
@@ -91,20 +83,14 @@ pub(super) fn find_default_outside_range(model: &Model) -> Vec<Finding> {
     vec![Finding::at(&DEFAULT_OUTSIDE_RANGE, line, text).with_severity(severity)]
 }
 
-pub(super) static DEFAULT_STIFFNESS: Rule = Rule {
-    code: FindingCode::DefaultStiffness,
-    severity: Severity::Error,
-    verdict: Some(VerdictOn::Mass),
+rule! { pub(super) DEFAULT_STIFFNESS: DefaultStiffness, Error, Mass;
     what: "A stiffness is left at its class default.",
     why: "OpenSim's default stiffness (1 N/m2 in SmoothSphereHalfSpaceForce) carries nothing; it is nearly always a forgotten value.",
     advice: "Set a stiffness, for example that of a published model",
     repair: Repair::Command("takes the contacts of a published model"),
-    example: Example::Piece {
-        model: "check/within_limits.osim",
-        good: "<stiffness>4.4876e7</stiffness>",
-        bad: "<!-- no stiffness -->",
-    },
-};
+    example: Example::Piece { model: "check/within_limits.osim", good: "<stiffness>4.4876e7</stiffness>",
+        bad: "<!-- no stiffness -->" },
+}
 
 pub(super) fn find_default_stiffness(model: &Model) -> Vec<Finding> {
     let mut found = Vec::new();
@@ -129,16 +115,13 @@ pub(super) fn is_default_stiffness(value: &Value) -> bool {
     value.property == Property::Stiffness && value.origin == ValueOrigin::ClassDefault
 }
 
-pub(super) static ZERO_CONSTANT_CONTACT_FORCE: Rule = Rule {
-    code: FindingCode::ZeroConstantContactForce,
-    severity: Severity::Error,
-    verdict: Some(VerdictOn::Solver),
+rule! { pub(super) ZERO_CONSTANT_CONTACT_FORCE: ZeroConstantContactForce, Error, Solver;
     what: "A SmoothSphereHalfSpaceForce has a constant_contact_force of 0.",
     why: "Simbody divides by the root of the squared slip speed plus constant_contact_force: with 0, the force is NaN whenever the sphere does not slip, even without friction. Scaling leaves a value of 0 as it is.",
     advice: "Give it a small value, for example for a constant indentation of {suggested_indentation} of the radius",
     repair: Repair::Command("designs constant_contact_force for a small constant indentation"),
     example: Example::ElementText { tag: "constant_contact_force", good: "9e-07", bad: "0" },
-};
+}
 
 pub(super) fn find_zero_constant_contact_force(model: &Model) -> Vec<Finding> {
     let mut found = Vec::new();
@@ -159,18 +142,13 @@ pub(super) fn set_suggested_constant_indentation(remedies: &Remedies<'_>) -> Opt
     remedies.design_constant_indentation(SUGGESTED_CONSTANT_INDENTATION)
 }
 
-pub(super) static ANGLE_IN_DEGREES: Rule = Rule {
-    code: FindingCode::AngleInDegrees,
-    severity: Severity::Error,
-    verdict: Some(VerdictOn::Floor),
+rule! { pub(super) ANGLE_IN_DEGREES: AngleInDegrees, Error, Floor;
     what: "An angle of a half-space, or of a frame that carries it, is in degrees.",
     why: "OpenSim reads orientations in radians: -90 is 14 whole turns and a little more, which looks like a slope of 26.6 degrees.",
     advice: "Write the angles in radians: degrees × π/180",
-    repair: Repair::NotPossible(
-        "the floor has to be corrected in the file; the finding names the line and what to write",
-    ),
+    repair: Repair::NotPossible("the floor has to be corrected in the file; the finding names the line and what to write"),
     example: Example::ElementText { tag: "orientation", good: "0 0 -1.5707963267948966", bad: "0 0 -90" },
-};
+}
 
 /// Finds half-spaces that are turned by more than a whole turn, so their angles are probably in degrees. Each orientation is reported once.
 pub(super) fn find_angle_in_degrees(model: &Model) -> Vec<Finding> {

@@ -4,9 +4,7 @@ use std::collections::BTreeMap;
 
 use osim_model::compare::{PlacedSphere, SpherePlacements, is_stretched};
 use osim_model::messages::{Input, Verb, counted, listed, phrase, readable, shown, three_significant};
-use osim_model::{
-    Example, Finding, FindingCode, Model, Note, Repair, Rule, ScaledSinceNote, Severity, Sphere, VerdictOn,
-};
+use osim_model::{Example, Finding, FindingCode, Model, Note, Repair, ScaledSinceNote, Severity, Sphere};
 use osim_requests::options::{FollowOptions, MovedChoice, ScalingOptions};
 use osim_requests::{Kilograms, Request, RescaleRequest, TransferRequest};
 
@@ -16,6 +14,7 @@ use crate::place_evidence::{LayoutMatch, PlaceEvidence};
 use crate::reach::{BodyBones, Reach};
 use crate::rules::spheres::about_spheres;
 use crate::sides::BothSides;
+use osim_model::rule;
 
 /// The evidence about the places of a model's spheres.
 pub(crate) enum SpherePlaces<'i> {
@@ -207,18 +206,13 @@ fn find_compared(placement: &SpherePlacements) -> Vec<Finding> {
         .collect()
 }
 
-pub(super) static SPHERES_LEFT_BEHIND: Rule = Rule {
-    code: FindingCode::SpheresLeftBehind,
-    severity: Severity::Error,
-    verdict: Some(VerdictOn::Sizes),
+rule! { pub(super) SPHERES_LEFT_BEHIND: SpheresLeftBehind, Error, Sizes;
     what: "Spheres are where they were before OpenSim scaled their bodies.",
     why: "OpenSim's Scale Tool scales bones, joints and masses. It leaves contact spheres where they were, as large and as stiff as before, so that they hang beyond the foot of a smaller animal and end short of a larger one's.",
     advice: "Compare with the model that was scaled: `check MODEL from=ORIGINAL` gives the command that moves the spheres with their bodies and makes the contacts right for this mass, too",
-    repair: Repair::Command(
-        "lets the spheres follow their bodies, where the note has their sizes or the original is named",
-    ),
+    repair: Repair::Command("lets the spheres follow their bodies, where the note has their sizes or the original is named"),
     example: Example::Models { good: "drawn_feet/six_spheres.osim", bad: "drawn_feet/left_behind.osim" },
-};
+}
 
 /// The finding that bodies were scaled after the note was written, and the spheres stayed at their places.
 fn left_behind_since_note(noted: &ScaledSinceNote) -> Finding {
@@ -242,18 +236,13 @@ fn percent_text([x, y, z]: [f64; 3]) -> String {
     if x == y && y == z { percent(x) } else { [x, y, z].map(percent).join(" x ") }
 }
 
-pub(super) static SPHERES_MISPLACED: Rule = Rule {
-    code: FindingCode::SpheresMisplaced,
-    severity: Severity::Warning,
-    verdict: Some(VerdictOn::Sizes),
+rule! { pub(super) SPHERES_MISPLACED: SpheresMisplaced, Warning, Sizes;
     what: "Spheres do not fit their bones, as in no published model, as in one of another size, or as on the other foot.",
     why: "OpenSim scaled the bones and left the spheres behind, the spheres were taken from a model of another size, or left and right were swapped. Then they push where the foot is not.",
     advice: "See where each belongs with `check MODEL from=ORIGINAL`, where ORIGINAL is the model that was scaled: it gives the command that puts them there, if there is one",
-    repair: Repair::NotPossible(
-        "it needs the model that was scaled, or the ScaleSet, and only you know where they are",
-    ),
+    repair: Repair::NotPossible("it needs the model that was scaled, or the ScaleSet, and only you know where they are"),
     example: Example::Models { good: "check/known_contacts.osim", bad: "check/spheres_misplaced.osim" },
-};
+}
 
 /// The finding about all spheres that stayed at their places when OpenSim scaled the model (`stayed`), or about all that were moved to a
 /// third place.
@@ -370,13 +359,10 @@ pub(super) fn find_toes_at_ankle(sides: &BothSides<'_>) -> Option<Finding> {
     about_spheres(&SPHERES_MISPLACED, text, near.iter().map(|(_, sphere)| *sphere))
 }
 
-pub(super) static SPHERES_NOT_COMPARED: Rule = Rule {
-    code: FindingCode::SpheresNotCompared,
-    severity: Severity::Remark,
-    verdict: Some(VerdictOn::Sizes),
+rule! { pub(super) SPHERES_NOT_COMPARED: SpheresNotCompared, Remark, Sizes;
     what: "Whether spheres followed a scaling of their bodies cannot be seen in this file.",
     why: "The bones were scaled; OpenSim leaves contact spheres where they were, and this file alone does not show whether somebody moved them afterwards.",
     advice: "Compare with the model that was scaled: `check MODEL from=GENERIC`",
     repair: Repair::NotPossible("only you know which model was scaled"),
     example: Example::Models { good: "check/within_limits.osim", bad: "check/spheres_not_compared.osim" },
-};
+}

@@ -3,8 +3,7 @@
 
 use osim_model::messages::{counted, shown, three_significant};
 use osim_model::{
-    Assignment, Example, Finding, FindingCode, Force, Model, Property, Repair, Rule, Severity, Side, Sphere,
-    VerdictOn,
+    Assignment, Example, Finding, Force, Model, Property, Repair, Rule, Severity, Side, Sphere,
 };
 use osim_requests::options::ForceOptions;
 use osim_requests::{Request, SetRequest};
@@ -14,23 +13,16 @@ use crate::inspection::Inspection;
 use crate::known_contacts::KnownContacts;
 use crate::rules::spheres::{about_spheres, and_others};
 use crate::sides::{BothSides, SAME_PLACE_OF_BONE, SideDifference, SideSphere, SpherePair};
+use osim_model::rule;
 
-pub(super) static LEFT_RIGHT_DIFFER: Rule = Rule {
-    code: FindingCode::LeftRightDiffer,
-    severity: Severity::Warning,
-    verdict: Some(VerdictOn::Sides),
+rule! { pub(super) LEFT_RIGHT_DIFFER: LeftRightDiffer, Warning, Sides;
     what: "Left and right contacts differ.",
     why: "Contacts of a symmetric model should nearly always be symmetric; a difference is usually a mistake. Contacts are compared with those at the mirrored place, whatever their names are; numbers that follow the sizes of the bones are right.",
     advice: "Compare the two sides with `inspect` and correct the one that is wrong",
-    repair: Repair::Command(
-        "writes the values of one side into the force of the other, where other forces, known contacts or the original model show which is right",
-    ),
-    example: Example::Piece {
-        model: "table1/human_62kg_smooth_sphere.osim",
-        good: "<stiffness>1000000</stiffness>",
-        bad: "<stiffness>2000000</stiffness>",
-    },
-};
+    repair: Repair::Command("writes the values of one side into the force of the other, where other forces, known contacts or the original model show which is right"),
+    example: Example::Piece { model: "table1/human_62kg_smooth_sphere.osim",
+        good: "<stiffness>1000000</stiffness>", bad: "<stiffness>2000000</stiffness>" },
+}
 
 /// Finds pairs of forces on mirrored spheres whose parameters are not equal and do not follow the sizes of the bones. Pairs with
 /// differences as small as in published models come last.
@@ -192,35 +184,24 @@ fn common_number(numbers: &[f64]) -> Option<f64> {
     numbers.iter().all(|&one| one == first).then_some(first)
 }
 
-pub(super) static LEFT_RIGHT_CLOSE: Rule = Rule {
-    code: FindingCode::LeftRightClose,
-    severity: Severity::Remark,
-    verdict: Some(VerdictOn::Sides),
+rule! { pub(super) LEFT_RIGHT_CLOSE: LeftRightClose, Remark, Sides;
     what: "Left and right contacts differ as little as those of published models.",
     why: "Of 150 published models with contacts on both sides, the radii of five differ by 0.7 to 5.7 %, and the transition velocity of one by 5 %. Up to 10 % in radii and 20 % in transition velocities count as intended.",
     advice: "Nothing, if this is intended; else write the number of one side into the other",
     repair: Repair::NotPossible("nothing is wrong"),
-    example: Example::Piece {
-        model: "table1/human_62kg_smooth_sphere.osim",
-        good: "<radius>0.032000000000000001</radius>",
-        bad: "<radius>0.0331</radius>",
-    },
-};
+    example: Example::Piece { model: "table1/human_62kg_smooth_sphere.osim",
+        good: "<radius>0.032000000000000001</radius>", bad: "<radius>0.0331</radius>" },
+}
 
-pub(super) static LEFT_RIGHT_PLACES: Rule = Rule {
-    code: FindingCode::LeftRightPlaces,
-    severity: Severity::Warning,
-    verdict: Some(VerdictOn::Sides),
+rule! { pub(super) LEFT_RIGHT_PLACES: LeftRightPlaces, Warning, Sides;
     what: "A sphere is not at the mirrored place of its counterpart on the other side.",
     why: "In published models each sphere is at most 2.3 % of the limb's longest bone from the mirror image of its counterpart, in the frames of the two bodies and by the sizes of their bones. More is a sign that was forgotten, another unit, or another body.",
     advice: "Look at `plot MODEL output=FILE.svg kind=feet`, and correct the place, or the body, of the sphere that is wrong",
     repair: Repair::NotPossible("only you know which side is right"),
-    example: Example::Piece {
-        model: "table1/human_62kg_smooth_sphere.osim",
+    example: Example::Piece { model: "table1/human_62kg_smooth_sphere.osim",
         good: "<location>0.05024 -0.037199999999999997 -0.048000000000000001</location>",
-        bad: "<location>0.05024 -0.037199999999999997 0.008</location>",
-    },
-};
+        bad: "<location>0.05024 -0.037199999999999997 0.008</location>" },
+}
 
 /// One finding for all pairs of spheres whose places are not mirror images. It is about the pair that is farthest apart; spheres on bodies
 /// that are not counterparts count as the farthest.
@@ -268,20 +249,14 @@ fn describe_places(pair: &SpherePair<'_>) -> String {
     )
 }
 
-pub(super) static LEFT_RIGHT_MISSING: Rule = Rule {
-    code: FindingCode::LeftRightMissing,
-    severity: Severity::Warning,
-    verdict: Some(VerdictOn::Sides),
+rule! { pub(super) LEFT_RIGHT_MISSING: LeftRightMissing, Warning, Sides;
     what: "A sphere has no counterpart on the other side.",
     why: "The other side has the body but fewer spheres, so that each of them carries more of the weight. Of 150 published models with contacts on both sides four have unlike numbers, all with prostheses.",
     advice: "Add the sphere that is missing, or remove the extra one from the file",
     repair: Repair::NotPossible("only you know which side is right"),
-    example: Example::Piece {
-        model: "format/v40000.osim",
-        good: "<geometry>floor heel_l toe_l</geometry>",
-        bad: "<geometry>floor heel_l</geometry>",
-    },
-};
+    example: Example::Piece { model: "format/v40000.osim", good: "<geometry>floor heel_l toe_l</geometry>",
+        bad: "<geometry>floor heel_l</geometry>" },
+}
 
 /// One finding for all spheres without a counterpart.
 pub(super) fn find_left_right_missing(sides: &BothSides<'_>) -> Option<Finding> {
@@ -301,20 +276,15 @@ pub(super) fn find_left_right_missing(sides: &BothSides<'_>) -> Option<Finding> 
     about_spheres(&LEFT_RIGHT_MISSING, text, all.iter().map(|(sphere, _, _)| *sphere))
 }
 
-pub(super) static LEFT_RIGHT_OFF: Rule = Rule {
-    code: FindingCode::LeftRightOff,
-    severity: Severity::Warning,
-    verdict: Some(VerdictOn::Sides),
+rule! { pub(super) LEFT_RIGHT_OFF: LeftRightOff, Warning, Sides;
     what: "A contact is switched off on one side alone.",
     why: "The side that is switched off carries nothing there: the body sinks in, or falls to that side.",
     advice: "Switch it on in the file (appliesForce), or switch the other side off, too",
     repair: Repair::NotPossible("only numbers are changed, and only you know which side is right"),
-    example: Example::Piece {
-        model: "table1/human_62kg_smooth_sphere.osim",
+    example: Example::Piece { model: "table1/human_62kg_smooth_sphere.osim",
         good: r#"<SmoothSphereHalfSpaceForce name="contact_s1_r">"#,
-        bad: r#"<SmoothSphereHalfSpaceForce name="contact_s1_r"><appliesForce>false</appliesForce>"#,
-    },
-};
+        bad: r#"<SmoothSphereHalfSpaceForce name="contact_s1_r"><appliesForce>false</appliesForce>"# },
+}
 
 /// One finding for all contacts that are switched off on one side.
 pub(super) fn find_left_right_off(sides: &BothSides<'_>) -> Option<Finding> {
@@ -341,16 +311,13 @@ pub(super) fn find_left_right_off(sides: &BothSides<'_>) -> Option<Finding> {
     about_spheres(&LEFT_RIGHT_OFF, text, off.iter().map(|[off, _]| off.sphere))
 }
 
-pub(super) static LEFT_RIGHT_SWAPPED: Rule = Rule {
-    code: FindingCode::LeftRightSwapped,
-    severity: Severity::Warning,
-    verdict: Some(VerdictOn::Sides),
+rule! { pub(super) LEFT_RIGHT_SWAPPED: LeftRightSwapped, Warning, Sides;
     what: "Spheres on the right have names of the left, and the reverse.",
     why: "No name of 1,321 published spheres contradicts the side of its body. Where both sides of a table are swapped, each foot has the places of the other: the mirror image of a foot under a foot, and results are of the wrong side.",
     advice: "Look at `plot MODEL output=FILE.svg kind=feet`, and give each sphere a body and a place of the side in its name",
     repair: Repair::NotPossible("only you know whether the names are wrong, or the bodies"),
     example: Example::Models { good: "check/known_contacts.osim", bad: "check/left_right_swapped.osim" },
-};
+}
 
 /// One finding for all swapped pairs; or for all spheres, if only one side has spheres and their names are of the other side. A single
 /// sphere on the wrong side has no counterpart, which is another finding.
@@ -380,20 +347,14 @@ fn is_swapped(pair: &SpherePair<'_>) -> bool {
     pair.bodies.is_some() && names_side(&pair.right, Side::Left) && names_side(&pair.left, Side::Right)
 }
 
-pub(super) static ONE_SIDE_ONLY: Rule = Rule {
-    code: FindingCode::OneSideOnly,
-    severity: Severity::Remark,
-    verdict: Some(VerdictOn::Sides),
+rule! { pub(super) ONE_SIDE_ONLY: OneSideOnly, Remark, Sides;
     what: "Spheres are on one side alone: the other one has none, or no body for them. It is a warning if the other side has spheres that no force presses.",
     why: "A model that kicks, hops on one leg or has a prosthesis may need no more; one that walks falls to the other side. Spheres that no force presses do nothing in OpenSim.",
     advice: "Nothing, if this is intended; else give the other side contacts, too",
     repair: Repair::NotPossible("nothing is wrong"),
-    example: Example::Piece {
-        model: "format/v40000.osim",
-        good: "<geometry>floor heel_l toe_l</geometry>",
-        bad: "<geometry>floor</geometry>",
-    },
-};
+    example: Example::Piece { model: "format/v40000.osim", good: "<geometry>floor heel_l toe_l</geometry>",
+        bad: "<geometry>floor</geometry>" },
+}
 
 /// One finding for all spheres, if only one side has spheres.
 pub(super) fn find_one_side_only(sides: &BothSides<'_>) -> Option<Finding> {

@@ -7,37 +7,31 @@ use foldhash::{HashMap, HashMapExt};
 use osim_model::feet::{DefaultPose, Movements, held_roots};
 use osim_model::messages::{shown, three_significant};
 use osim_model::{
-    DVec3, Example, Finding, FindingCode, Force, Model, ModelJoint, Repair, Rule, Severity, Side, Sphere,
-    SphereId, VerdictOn, without_side,
+    DVec3, Example, Finding, Force, Model, ModelJoint, Repair, Rule, Side, Sphere, SphereId, without_side,
 };
 
 use crate::rules::misread::find_in_texts;
 use crate::rules::spheres::{about_spheres, and_others};
+use osim_model::rule;
 
-pub(super) static ODD_PARENT: Rule = Rule {
-    code: FindingCode::OddParent,
-    severity: Severity::Warning,
-    verdict: Some(VerdictOn::Sides),
+rule! { pub(super) ODD_PARENT: OddParent, Warning, Sides;
     what: "A body of one side hangs on a body of the other side, or on ground while its counterpart hangs on a limb.",
     why: "A joint that was copied keeps the parent of its original. OpenSim loads such a model: a shank then moves with the other thigh, a foot on ground stays where it is, and the contacts press at the wrong place.",
     advice: "Correct the parent frame of the joint",
     repair: Repair::NotPossible("only you know where the body belongs"),
     example: Example::Models { good: "check/known_contacts.osim", bad: "check/odd_parent.osim" },
-};
+}
 
 /// Joints or bones of a limb that differ from their mirror image by more than this part of the limb's longest bone are reported.
 const UNLIKE_PART_OF_BONE: f64 = 0.25;
 
-pub(super) static LEFT_RIGHT_BONES: Rule = Rule {
-    code: FindingCode::LeftRightBones,
-    severity: Severity::Warning,
-    verdict: Some(VerdictOn::Sides),
+rule! { pub(super) LEFT_RIGHT_BONES: LeftRightBones, Warning, Sides;
     what: "The bones of one limb are not the mirror image of those of the other limb: a joint is at another place, or a bone is missing.",
     why: "A place that was mistyped, or a bone that was lost, lets one foot hang in the air or in the floor while the other one stands. Two legs of one body never differ by more than 25 % of their longest bone.",
     advice: "Compare the joints of both limbs, and correct the frames of the one that is wrong",
     repair: Repair::NotPossible("only you know which side is right"),
     example: Example::Models { good: "check/known_contacts.osim", bad: "check/left_right_bones.osim" },
-};
+}
 
 /// The largest number of bodies from a foot to ground; joints can be in a loop.
 const MOST_BONES: usize = 64;
@@ -205,16 +199,13 @@ impl<'m> Limbs<'m> {
     }
 }
 
-pub(super) static FOOT_SPHERE_ON_GROUND: Rule = Rule {
-    code: FindingCode::FootSphereOnGround,
-    severity: Severity::Warning,
-    verdict: Some(VerdictOn::Sides),
+rule! { pub(super) FOOT_SPHERE_ON_GROUND: FootSphereOnGround, Warning, Sides;
     what: "A sphere of a foot is on ground or welded to it: by its name, because spheres named like it are on moving bodies, or because no other sphere moves.",
     why: "OpenSim takes ground if the frame of a sphere says so. The sphere then stays in place while the foot walks away, and the foot falls through the floor. Only scenery, such as a stone, belongs on ground.",
     advice: "Write the body of the foot as the frame of the sphere",
     repair: Repair::NotPossible("only numbers are changed, and the sphere needs another frame"),
     example: Example::Models { good: "check/known_contacts.osim", bad: "check/foot_sphere_on_ground.osim" },
-};
+}
 
 /// Words in the names of spheres of feet.
 const FOOT_WORDS: [&str; 6] = ["heel", "toe", "foot", "calc", "hallux", "metatars"];
@@ -261,16 +252,13 @@ pub(super) fn find_foot_sphere_on_ground(model: &Model) -> Vec<Finding> {
     about_spheres(&FOOT_SPHERE_ON_GROUND, text, on_ground.iter().copied()).into_iter().collect()
 }
 
-pub(super) static ROOT_HELD: Rule = Rule {
-    code: FindingCode::RootHeld,
-    severity: Severity::Remark,
-    verdict: Some(VerdictOn::Standing),
+rule! { pub(super) ROOT_HELD: RootHeld, Remark, Standing;
     what: "The root of the model is held: nothing lets it move along gravity.",
     why: "What holds the root carries the body, so that the contacts carry nothing in a forward simulation: no change of theirs is seen there. Inverse analyses and test stands hold the root on purpose.",
     advice: "Nothing, if this is intended; else free the coordinate, or take the constraint out",
     repair: Repair::NotPossible("nothing is wrong"),
     example: Example::Models { good: "check/known_contacts.osim", bad: "check/root_held.osim" },
-};
+}
 
 /// One finding for all roots that are held.
 pub(super) fn find_root_held(model: &Model) -> Vec<Finding> {

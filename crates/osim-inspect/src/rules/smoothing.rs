@@ -4,24 +4,22 @@ use contact_scaling::limits::{
     CONSTANT_INDENTATION, RESTITUTION, SUGGESTED_TRANSITION_WIDTH, TOUCHING_SHARE, TRANSITION_WIDTH,
 };
 use osim_model::messages::four_significant;
-use osim_model::{Example, FindingCode, Repair, Rule, Severity, VerdictOn};
+use osim_model::{Example, Repair};
 use osim_requests::options::WantedOptions;
 use osim_requests::{ConstantIndentation, Positive, Request};
 
 use crate::figures::{Figure, SphereFigures};
 use crate::findings::{FindingWithRemedy, Remedies, constant_indentation_for_touching, transition_width_for};
 use crate::rules::figure_check::{FigureCheck, value_beyond_limit};
+use osim_model::rule;
 
-pub(super) static FLOATS: Rule = Rule {
-    code: FindingCode::Floats,
-    severity: Severity::Error,
-    verdict: Some(VerdictOn::Mass),
+rule! { pub(super) FLOATS: Floats, Error, Mass;
     what: "The smoothing alone carries body weight: the spheres do not touch the floor.",
     why: "constant_contact_force is far too large for the spheres, or hertz_smoothing far too small: the force before contact holds the body in the air.",
     advice: "Make constant_contact_force smaller and hertz_smoothing larger, until the spheres touch the floor",
     repair: Repair::Command("designs constant_contact_force so that the spheres touch the floor"),
     example: Example::ElementText { tag: "constant_contact_force", good: "9e-07", bad: "0.0001" },
-};
+}
 
 pub(super) fn find_floats(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> {
     let above =
@@ -53,16 +51,13 @@ fn bring_spheres_to_floor(remedies: &Remedies<'_>, spheres: &[&SphereFigures]) -
     remedies.design(wanted).map(Request::from)
 }
 
-pub(super) static FORCE_BEFORE_CONTACT: Rule = Rule {
-    code: FindingCode::ForceBeforeContact,
-    severity: Severity::Warning,
-    verdict: Some(VerdictOn::Solver),
+rule! { pub(super) FORCE_BEFORE_CONTACT: ForceBeforeContact, Warning, Solver;
     what: "A sphere that only just touches the floor carries a large part of its share of body weight already.",
     why: "Smoothing gives a force before contact (Fig. C.5): the floor pushes the foot away as if the spheres were larger. In Falisse et al. (2022), where this did no harm, the force is 0.074 of the share.",
     advice: "Make constant_contact_force smaller",
     repair: Repair::Command("designs constant_contact_force so that the share comes down to the limit"),
     example: Example::ElementText { tag: "constant_contact_force", good: "9e-07", bad: "4e-06" },
-};
+}
 
 pub(super) fn find_force_before_contact(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> {
     let affected = check.spheres_with(|sphere| value_beyond_limit(sphere, Figure::TouchingShare))?;
@@ -75,16 +70,13 @@ pub(super) fn find_force_before_contact(check: &FigureCheck<'_>) -> Option<Findi
     Some(FindingWithRemedy::new(finding, remedy))
 }
 
-pub(super) static LARGE_CONSTANT_INDENTATION: Rule = Rule {
-    code: FindingCode::LargeConstantIndentation,
-    severity: Severity::Warning,
-    verdict: Some(VerdictOn::Solver),
+rule! { pub(super) LARGE_CONSTANT_INDENTATION: LargeConstantIndentation, Warning, Solver;
     what: "The constant indentation of constant_contact_force is a large part of the radius.",
     why: "constant_contact_force is a squared indentation and does not grow with the sphere by itself: OpenSim's default of 1e-5 m2, made for spheres of 32 mm, is 3.2 mm. On smaller spheres it holds the body up before they touch (C.2).",
     advice: "Make constant_contact_force smaller, for a constant indentation of {constant_indentation} of the radius at most; where spheres sink in by less than {indentation} R, of {suggested_indentation}",
     repair: Repair::Command("designs constant_contact_force for the limit"),
     example: Example::ElementText { tag: "constant_contact_force", good: "9e-07", bad: "1.5e-05" },
-};
+}
 
 pub(super) fn find_large_constant_indentation(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> {
     let affected = check.spheres_with(|sphere| value_beyond_limit(sphere, Figure::ConstantIndentation))?;
@@ -97,16 +89,13 @@ pub(super) fn find_large_constant_indentation(check: &FigureCheck<'_>) -> Option
     ))
 }
 
-pub(super) static WIDE_TRANSITION: Rule = Rule {
-    code: FindingCode::WideTransition,
-    severity: Severity::Warning,
-    verdict: Some(VerdictOn::Solver),
+rule! { pub(super) WIDE_TRANSITION: WideTransition, Warning, Solver;
     what: "Smoothing switches contact on over more of the radius than in published models.",
     why: "hertz_smoothing is an inverse length: OpenSim's default of 300 1/m, made for spheres of 32 mm, spreads the onset of contact over 10 mm. On smaller spheres that is a large part of the radius, half of it before they touch (C.7).",
     advice: "Make hertz_smoothing larger, so that contact switches on over {suggested_width} of the radius",
     repair: Repair::Command("designs hertz_smoothing for a width within the limit"),
     example: Example::ElementText { tag: "hertz_smoothing", good: "310", bad: "100" },
-};
+}
 
 pub(super) fn find_wide_transition(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> {
     let affected = check.spheres_with(|sphere| value_beyond_limit(sphere, Figure::TransitionWidth))?;
@@ -123,18 +112,13 @@ fn narrow_transition(remedies: &Remedies<'_>) -> Option<Request> {
     remedies.design(WantedOptions { state_width, ..WantedOptions::default() }).map(Request::from)
 }
 
-pub(super) static BEYOND_HUNT_CROSSLEY: Rule = Rule {
-    code: FindingCode::BeyondHuntCrossley,
-    severity: Severity::Remark,
-    verdict: Some(VerdictOn::Solver),
+rule! { pub(super) BEYOND_HUNT_CROSSLEY: BeyondHuntCrossley, Remark, Solver;
     what: "Restitution by (13) is so low that the Hunt-Crossley law is not accurate.",
     why: "The Hunt-Crossley law describes materials that give back most of the impact speed. Below a restitution of {restitution} at the impact speed, dissipation is a damper that makes a simulation calm; energies lost in contact are not those of a material.",
     advice: "Nothing, if this is intended; else write a smaller dissipation, for a restitution of {restitution} at least",
-    repair: Repair::NotPossible(
-        "a remark: most published contacts are outside this limit, and their authors chose that",
-    ),
+    repair: Repair::NotPossible("a remark: most published contacts are outside this limit, and their authors chose that"),
     example: Example::ElementText { tag: "dissipation", good: "0.4", bad: "2" },
-};
+}
 
 pub(super) fn find_beyond_hunt_crossley(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> {
     let speed = check.inspected.figures.impact_speed_m_s?;

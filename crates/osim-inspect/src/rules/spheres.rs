@@ -4,13 +4,11 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use foldhash::{HashMap, HashMapExt};
 use osim_model::messages::{readable, shown, three_significant};
-use osim_model::{
-    Body, BodyShape, DVec3, Example, Finding, FindingCode, MassRequest, Model, Repair, Rule, Severity, Side,
-    Sphere, VerdictOn,
-};
+use osim_model::{Body, BodyShape, DVec3, Example, Finding, MassRequest, Model, Repair, Rule, Side, Sphere};
 
 use crate::reach::BodyBones;
 use crate::sides::{BothSides, place_key};
+use osim_model::rule;
 
 /// A finding about all of `spheres`, placed at the first sphere; `None` if `spheres` is empty.
 pub(super) fn about_spheres<'s>(
@@ -48,20 +46,15 @@ const FAR_SIDEWAYS_OVER_BONE: f64 = 0.25;
 /// a limb has spheres at 0.38 of its own bone and less than 2 radii of gyration.
 const NEAR_SIDEWAYS_IN_GYRATION: f64 = 2.0;
 
-pub(super) static ODD_PLACE: Rule = Rule {
-    code: FindingCode::OddPlace,
-    severity: Severity::Warning,
-    verdict: Some(VerdictOn::Sizes),
+rule! { pub(super) ODD_PLACE: OddPlace, Warning, Sizes;
     what: "A sphere is far from the body that carries it.",
     why: "Spheres of published feet are at most 0.353 of the limb's longest bone from the nearest joint of their body, and at most 2.7 of its radii of gyration from its centre of mass; sideways at most 0.149 of that bone. Much more is a place in millimetres, or one in another frame.",
     advice: "Look at `plot MODEL output=FILE.svg kind=feet`; write places in metres, in the frame of the body",
     repair: Repair::NotPossible("only you know the right place"),
-    example: Example::Piece {
-        model: "table1/human_62kg_smooth_sphere.osim",
+    example: Example::Piece { model: "table1/human_62kg_smooth_sphere.osim",
         good: "<location>-0.029760000000000002 -0.037199999999999997 -0.048000000000000001</location>",
-        bad: "<location>-29.76 -37.2 -48</location>",
-    },
-};
+        bad: "<location>-29.76 -37.2 -48</location>" },
+}
 
 /// One finding for all spheres that are too far from their bodies; it is about the farthest.
 pub(super) fn find_odd_place(sides: &BothSides<'_>) -> Option<Finding> {
@@ -177,20 +170,14 @@ const LARGEST_RADIUS_OF_MASS: f64 = 0.15;
 /// several spheres and no radius is above 0.15 of the bone.
 const LARGE_RADIUS_OF_EXTENT: f64 = 0.36;
 
-pub(super) static ODD_RADIUS: Rule = Rule {
-    code: FindingCode::OddRadius,
-    severity: Severity::Warning,
-    verdict: Some(VerdictOn::Sizes),
+rule! { pub(super) ODD_RADIUS: OddRadius, Warning, Sizes;
     what: "The radius of a sphere does not fit the length of its limb.",
     why: "Radii of published feet are 0.011 to 0.2 of the limb's longest bone, and in 95 % of them R / M^(1/3) is between 0.0002 and 0.029 m/kg^(1/3). Much more or less is another unit, mostly millimetres, or another animal's sphere.",
     advice: "Write radii in metres; contacts of a model of another size need radii that follow it",
     repair: Repair::NotPossible("only you know the right size"),
-    example: Example::Piece {
-        model: "table1/human_62kg_smooth_sphere.osim",
-        good: "<radius>0.032000000000000001</radius>",
-        bad: "<radius>32</radius>",
-    },
-};
+    example: Example::Piece { model: "table1/human_62kg_smooth_sphere.osim",
+        good: "<radius>0.032000000000000001</radius>", bad: "<radius>32</radius>" },
+}
 
 /// One finding for all odd radii; it is about the radius that is farthest outside the range.
 pub(super) fn find_odd_radius(sides: &BothSides<'_>) -> Option<Finding> {
@@ -308,20 +295,14 @@ fn describe_odd_radius(worst: &OddRadius<'_>, count: usize, model: &Model) -> St
 /// The number of bodies of a limb above its foot among which the heaviest one is found.
 const MOST_BODIES_ABOVE: usize = 8;
 
-pub(super) static HEAVY_FOOT: Rule = Rule {
-    code: FindingCode::HeavyFoot,
-    severity: Severity::Warning,
-    verdict: Some(VerdictOn::Mass),
+rule! { pub(super) HEAVY_FOOT: HeavyFoot, Warning, Mass;
     what: "A body with spheres weighs more than each body of its limb above it.",
     why: "A foot is lighter than the thigh: in published models it weighs 1 to 2 % of the body. A heavier one mostly has the mass of another body, or a wrong point, and swings as no foot does.",
     advice: "Write the mass of the body in kg",
     repair: Repair::NotPossible("only you know what the body weighs"),
-    example: Example::Piece {
-        model: "table1/human_62kg_smooth_sphere.osim",
-        good: "<mass>0.7734375</mass>",
-        bad: "<mass>7.734375</mass>",
-    },
-};
+    example: Example::Piece { model: "table1/human_62kg_smooth_sphere.osim", good: "<mass>0.7734375</mass>",
+        bad: "<mass>7.734375</mass>" },
+}
 
 /// One finding for all bodies with spheres that are heavier than the rest of their limb, if the limb has at least two bodies above.
 pub(super) fn find_heavy_foot(sides: &BothSides<'_>) -> Option<Finding> {
@@ -358,16 +339,13 @@ const CROWD_DISTANCE_OVER_BONE: f64 = 0.02;
 /// at least 1.36 radii apart.
 const CROWD_DISTANCE_OVER_RADIUS: f64 = 0.5;
 
-pub(super) static CROWDED_SPHERES: Rule = Rule {
-    code: FindingCode::CrowdedSpheres,
-    severity: Severity::Warning,
-    verdict: Some(VerdictOn::Sizes),
+rule! { pub(super) CROWDED_SPHERES: CrowdedSpheres, Warning, Sizes;
     what: "All spheres of a body are in nearly the same place.",
     why: "The spheres of a published foot extend over at least 0.077 of the limb's longest bone, and no two are closer than 1.36 radii. Spheres that nearly coincide carry like one that is several times as stiff. Usually places in metres were taken for millimetres.",
     advice: "Look at `plot MODEL output=FILE.svg kind=feet`; write places in metres, in the frame of the body",
     repair: Repair::NotPossible("only you know the right places"),
     example: Example::Models { good: "check/known_contacts.osim", bad: "check/crowded_spheres.osim" },
-};
+}
 
 /// One finding for all crowded spheres, about the body whose spheres are the most crowded.
 pub(super) fn find_crowded_spheres(sides: &BothSides<'_>) -> Option<Finding> {
@@ -440,20 +418,14 @@ fn describe_crowd(worst: &Crowd<'_>, count: usize) -> Option<String> {
     ))
 }
 
-pub(super) static DOUBLED_SPHERES: Rule = Rule {
-    code: FindingCode::DoubledSpheres,
-    severity: Severity::Error,
-    verdict: Some(VerdictOn::Sides),
+rule! { pub(super) DOUBLED_SPHERES: DoubledSpheres, Error, Sides;
     what: "Two spheres are at the same place of the same body.",
     why: "Both carry weight: the contact is twice as stiff as it looks, and the weight is shared among too many spheres. None of 200 published models has such spheres; they appear when a sphere is copied under another name.",
     advice: "Remove one of the two, and its force, from the file",
     repair: Repair::NotPossible("only you know which of the two is right"),
-    example: Example::Piece {
-        model: "format/v40000.osim",
-        good: "<location>0.01 -0.02 0</location>",
-        bad: "<location>0.18 -0.02 0</location>",
-    },
-};
+    example: Example::Piece { model: "format/v40000.osim", good: "<location>0.01 -0.02 0</location>",
+        bad: "<location>0.18 -0.02 0</location>" },
+}
 
 /// One finding for all spheres at the same place as an earlier sphere.
 pub(super) fn find_doubled_spheres(sides: &BothSides<'_>) -> Option<Finding> {

@@ -3,21 +3,19 @@
 use foldhash::HashMap;
 use osim_model::feet::MOST_LEAN_RAD;
 use osim_model::messages::{readable, shown, three_significant};
-use osim_model::{Example, Finding, FindingCode, Repair, Rule, Severity, VerdictOn};
+use osim_model::{Example, Finding, Repair, Rule};
 
 use crate::rules::figure_check::FigureCheck;
 use crate::{Bottom, Figure, FindingWithRemedy, LimbFigures, SphereFigures, StandingBody};
+use osim_model::rule;
 
-pub(super) static NOT_ON_FLOOR: Rule = Rule {
-    code: FindingCode::NotOnFloor,
-    severity: Severity::Remark,
-    verdict: Some(VerdictOn::Standing),
+rule! { pub(super) NOT_ON_FLOOR: NotOnFloor, Remark, Standing;
     what: "At the default pose the spheres are more than half a radius inside the floor and deeper than where they carry the body, or more than 20 mm above it.",
     why: "A simulation that starts there is thrown into the air by forces of many body weights, or falls first. Most published models have such a default pose, and their simulations start from another one.",
     advice: "Nothing, if simulations start from a pose of their own; else give the coordinate the value that `inspect MODEL` says",
     repair: Repair::NotPossible("only numbers of contacts are changed"),
     example: Example::ElementText { tag: "location", good: "0 -0.05 0", bad: "0 0.9 0" },
-};
+}
 
 /// A finding for each body that does not start on its floor.
 pub(super) fn find_not_on_floor(check: &FigureCheck<'_>) -> Vec<FindingWithRemedy> {
@@ -39,18 +37,13 @@ const WARNING_DIFFERENCE_RADII: f64 = 0.5;
 /// Tolerance for rounding errors of heights.
 const ROUNDING_OF_HEIGHTS: f64 = 1e-9;
 
-pub(super) static UNEVEN_BOTTOMS: Rule = Rule {
-    code: FindingCode::UnevenBottoms,
-    severity: Severity::Warning,
-    verdict: Some(VerdictOn::Standing),
+rule! { pub(super) UNEVEN_BOTTOMS: UnevenBottoms, Warning, Standing;
     what: "The lowest points of a limb's spheres differ in height by more than half a radius at the default pose, and the foot lies flat there.",
     why: "The lower spheres carry the body, the higher ones little or nothing, so that the values of a level foot do not hold. Of 134 published models with level floors two differ so much.",
     advice: "If the spheres should form one flat sole, make their lowest points level, as low as the lowest one; else correct the places that are wrong. `inspect MODEL` says how deep each sphere is. Where radii change, a rescaling can keep the lowest points where they are",
-    repair: Repair::Command(
-        "moves the centres of the limb's spheres until all are as low as the lowest one at the default pose",
-    ),
+    repair: Repair::Command("moves the centres of the limb's spheres until all are as low as the lowest one at the default pose"),
     example: Example::Models { good: "check/known_contacts.osim", bad: "check/uneven_bottoms.osim" },
-};
+}
 
 /// Finds the limb whose bottoms differ most in height, if the difference is a warning.
 pub(super) fn find_uneven_bottoms(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> {
@@ -137,16 +130,13 @@ impl<'i> UnevenLimb<'i> {
 /// A height difference of bottoms above this, in the radius of the lowest sphere, is a remark.
 const REMARK_DIFFERENCE_RADII: f64 = 0.3;
 
-pub(super) static UNLEVEL_FOOT: Rule = Rule {
-    code: FindingCode::UnlevelFoot,
-    severity: Severity::Remark,
-    verdict: Some(VerdictOn::Standing),
+rule! { pub(super) UNLEVEL_FOOT: UnlevelFoot, Remark, Standing;
     what: "The lowest points of a limb's spheres differ in height by more than 0.3 radii at the default pose; by more than half a radius only because the foot is tilted there.",
     why: "The lower spheres are deeper than the values of a level foot show. Of 134 published models with level floors 16 differ so much.",
     advice: "Nothing, if this is intended; `inspect MODEL` says how deep each sphere is at its own height. Where radii change, a rescaling can keep the lowest points where they are",
     repair: Repair::NotPossible("nothing is wrong"),
     example: Example::Models { good: "check/known_contacts.osim", bad: "format/mixed_radii.osim" },
-};
+}
 
 /// Finds the limb whose bottoms differ most in height, unless the difference is a warning.
 pub(super) fn find_unlevel_foot(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> {

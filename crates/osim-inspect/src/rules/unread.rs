@@ -4,12 +4,12 @@
 use foldhash::{HashMap, HashMapExt};
 use osim_model::messages::shown;
 use osim_model::{
-    Class, ComponentId, Document, ElementId, Example, FileId, Finding, FindingCode, ForceKind,
-    GEOMETRY_CLASSES, LAST_VERSION_WITH_IS_DISABLED, Model, Repair, Rule, Severity, VerdictOn,
-    component_classes, opensim_text,
+    Class, ComponentId, Document, ElementId, Example, FileId, Finding, ForceKind, GEOMETRY_CLASSES,
+    LAST_VERSION_WITH_IS_DISABLED, Model, Repair, component_classes, opensim_text,
 };
 
 use crate::rules::spheres::and_others;
+use osim_model::rule;
 
 /// Applies all rules of this file.
 pub(super) fn find_unread(model: &Model) -> Vec<Finding> {
@@ -23,16 +23,13 @@ pub(super) fn find_unread(model: &Model) -> Vec<Finding> {
     rules.iter().flat_map(|find| find(model)).collect()
 }
 
-pub(super) static BODY_WITHOUT_JOINT: Rule = Rule {
-    code: FindingCode::BodyWithoutJoint,
-    severity: Severity::Error,
-    verdict: Some(VerdictOn::Mass),
+rule! { pub(super) BODY_WITHOUT_JOINT: BodyWithoutJoint, Error, Mass;
     what: "A body has no joint.",
     why: "OpenSim refuses the model: each body hangs on a joint. The mass of such a body would count in the sum.",
     advice: "Give the body a joint, or take it out of the model",
     repair: Repair::NotPossible("only you know where the body belongs"),
     example: Example::Models { good: "format/v40000.osim", bad: "bad/body_without_joint.osim" },
-};
+}
 
 /// One finding for all bodies without a joint. Documents in the form of another version are left out.
 fn find_body_without_joint(model: &Model) -> Vec<Finding> {
@@ -46,20 +43,14 @@ fn find_body_without_joint(model: &Model) -> Vec<Finding> {
     vec![Finding::at(&BODY_WITHOUT_JOINT, components.line(first), text).with_place(&path)]
 }
 
-pub(super) static VERSION_AGAINST_FORM: Rule = Rule {
-    code: FindingCode::OtherVersion,
-    severity: Severity::Error,
-    verdict: None,
+rule! { pub(super) VERSION_AGAINST_FORM: OtherVersion, Error;
     what: "The Version of the document is not that of its form.",
     why: "Up to version 30504, joints are inside of bodies; later, they are in a JointSet. OpenSim reads a document as its Version says, and then finds no joints.",
     advice: "Write the version with which the file was saved: the number at its begin was changed",
     repair: Repair::NotPossible("only you know the version with which the file was saved"),
-    example: Example::Piece {
-        model: "format/v40000.osim",
-        good: "Version=\"40000\"",
-        bad: "Version=\"30000\"",
-    },
-};
+    example: Example::Piece { model: "format/v40000.osim", good: "Version=\"40000\"",
+        bad: "Version=\"30000\"" },
+}
 
 /// The first version whose joints are in a JointSet.
 const FIRST_VERSION_WITH_JOINT_SET: u32 = 30505;
@@ -89,16 +80,13 @@ fn find_version_against_form(model: &Model) -> Vec<Finding> {
     joint.map(finding).into_iter().collect()
 }
 
-pub(super) static MISPLACED_OBJECT: Rule = Rule {
-    code: FindingCode::MisplacedObject,
-    severity: Severity::Error,
-    verdict: None,
+rule! { pub(super) MISPLACED_OBJECT: MisplacedObject, Error;
     what: "A force is in the geometry set, or contact geometry is in the force set.",
     why: "OpenSim refuses a set with an object of another kind.",
     advice: "Move the object to its own set",
     repair: Repair::NotPossible("only numbers are changed, and the object has to move"),
     example: Example::Models { good: "format/v40000.osim", bad: "bad/sphere_in_force_set.osim" },
-};
+}
 
 /// One finding for each set that has objects of another kind.
 fn find_misplaced_objects(model: &Model) -> Vec<Finding> {
@@ -127,16 +115,13 @@ fn find_misplaced_objects(model: &Model) -> Vec<Finding> {
     count_neighbours(misplaced).into_iter().map(finding).collect()
 }
 
-pub(super) static IGNORED_CONTACTS: Rule = Rule {
-    code: FindingCode::IgnoredContacts,
-    severity: Severity::Warning,
-    verdict: None,
+rule! { pub(super) IGNORED_CONTACTS: IgnoredContacts, Warning;
     what: "Contacts stand where OpenSim does not read them.",
     why: "OpenSim reads the first set of each kind, and of a set what is in its first <objects>. What stands elsewhere is in the file, but not in the simulation.",
     advice: "Move the contacts into the <objects> of the set that OpenSim reads",
     repair: Repair::NotPossible("only numbers are changed, and the contacts have to move"),
     example: Example::Models { good: "format/v40000.osim", bad: "bad/forceset_no_objects.osim" },
-};
+}
 
 /// One finding for each place with contacts that OpenSim does not read.
 fn find_ignored_contacts(model: &Model) -> Vec<Finding> {
@@ -204,20 +189,14 @@ fn place_in_words(document: &Document, parent: ElementId) -> String {
     }
 }
 
-pub(super) static UNKNOWN_NAME: Rule = Rule {
-    code: FindingCode::UnknownName,
-    severity: Severity::Error,
-    verdict: None,
+rule! { pub(super) UNKNOWN_NAME: UnknownName, Error;
     what: "A class, or a property on which contacts depend, has a name that OpenSim does not know.",
     why: "OpenSim refuses an unknown class, and ignores an unknown property: the default of the property that was meant counts.",
     advice: "Write the name that OpenSim knows",
     repair: Repair::NotPossible("only numbers are changed, and names are left alone"),
-    example: Example::Piece {
-        model: "format/v40000.osim",
-        good: "<dissipation>2.25</dissipation>",
-        bad: "<disipation>2.25</disipation>",
-    },
-};
+    example: Example::Piece { model: "format/v40000.osim", good: "<dissipation>2.25</dissipation>",
+        bad: "<disipation>2.25</disipation>" },
+}
 
 static FORCE_CLASSES: [&str; 3] =
     [ForceKind::HuntCrossley.as_str(), ForceKind::SmoothSphereHalfSpace.as_str(), "ElasticFoundationForce"];

@@ -4,9 +4,8 @@
 use contact_scaling::modulus;
 
 use crate::messages::{Phrase, phrase, readable};
-use crate::model::{
-    Example, Finding, FindingCode, Force, ForceId, Model, Repair, Rule, Severity, Sphere, VerdictOn,
-};
+use crate::model::{Example, Finding, Force, ForceId, Model, Repair, Rule, Severity, Sphere};
+use crate::rule;
 
 /// The rules of this crate.
 pub const RULES: &[&Rule] = &[
@@ -18,16 +17,13 @@ pub const RULES: &[&Rule] = &[
     &NOT_A_SCALED_COPY,
 ];
 
-static MASS_SOURCES_DISAGREE: Rule = Rule {
-    code: FindingCode::MassSourcesDisagree,
-    severity: Severity::Warning,
-    verdict: Some(VerdictOn::Mass),
+rule! { MASS_SOURCES_DISAGREE: MassSourcesDisagree, Warning, Mass;
     what: "The note, `mass` and the bodies give different masses.",
     why: "The factor of every change follows from the mass the contacts are made for; a wrong one scales all of them wrongly.",
     advice: "Check the mass that was taken (the first line of the output) and give `contacts_mass=KG` if it is not the right one",
     repair: Repair::NotPossible("only you know which of the masses is right"),
     example: Example::Models { good: "walks/child.osim", bad: "walks/scaled_noted.osim" },
-};
+}
 
 /// A mass with its source in words.
 pub(crate) struct MassFromSource {
@@ -70,20 +66,15 @@ impl Model {
     }
 }
 
-static DISABLED_FORCE: Rule = Rule {
-    code: FindingCode::DisabledForce,
-    severity: Severity::Remark,
-    verdict: Some(VerdictOn::Sides),
+rule! { DISABLED_FORCE: DisabledForce, Remark, Sides;
     what: "A contact force that is switched off is changed with the others. It is a warning if all are switched off.",
     why: "A force that does not apply carries no load, so its spheres are not counted; it is still scaled, so that it is right once it is switched on.",
     advice: "Nothing, if this is intended; else `skip_disabled`",
     repair: Repair::NotPossible("nothing is wrong"),
-    example: Example::Piece {
-        model: "check/within_limits.osim",
+    example: Example::Piece { model: "check/within_limits.osim",
         good: r#"<SmoothSphereHalfSpaceForce name="contact_heel_r">"#,
-        bad: r#"<SmoothSphereHalfSpaceForce name="contact_heel_r"><appliesForce>false</appliesForce>"#,
-    },
-};
+        bad: r#"<SmoothSphereHalfSpaceForce name="contact_heel_r"><appliesForce>false</appliesForce>"# },
+}
 
 fn find_disabled_force(force: &Force) -> Option<Finding> {
     let text = format!(
@@ -103,16 +94,13 @@ fn all_disabled(first: &Force, count: usize) -> Finding {
     finding.with_severity(Severity::Warning)
 }
 
-static MIXED_RADII: Rule = Rule {
-    code: FindingCode::MixedRadii,
-    severity: Severity::Remark,
-    verdict: Some(VerdictOn::Sizes),
+rule! { MIXED_RADII: MixedRadii, Remark, Sizes;
     what: "Radii differ within one ContactParameters.",
     why: "One ContactParameters has one modulus for all its spheres. The mean of R squared is used before and after: equal relative indentation, load in proportion to R squared.",
     advice: "Nothing, if this is intended; else give each sphere its own force",
     repair: Repair::NotPossible("nothing is wrong"),
     example: Example::Models { good: "format/v40000.osim", bad: "format/mixed_radii.osim" },
-};
+}
 
 /// The remark that one set of parameters is for spheres of different radii.
 fn find_mixed_radii(model: &Model, force: &Force) -> Option<Finding> {
@@ -137,16 +125,13 @@ fn find_mixed_radii(model: &Model, force: &Force) -> Option<Finding> {
     Some(Finding::at(&MIXED_RADII, set.line, text).with_place(&force.path))
 }
 
-static SEVERAL_PARAMETER_SETS: Rule = Rule {
-    code: FindingCode::SeveralParameterSets,
-    severity: Severity::Remark,
-    verdict: None,
+rule! { SEVERAL_PARAMETER_SETS: SeveralParameterSets, Remark;
     what: "A force has several ContactParameters.",
     why: "The surfaces have moduli of their own and the contact uses their composite (A.3); all are multiplied by the same factor.",
     advice: "Nothing, if this is intended",
     repair: Repair::NotPossible("nothing is wrong"),
     example: Example::Models { good: "format/v40000.osim", bad: "format/three_materials.osim" },
-};
+}
 
 fn find_several_parameter_sets(force: &Force) -> Option<Finding> {
     let used = force.sets.iter().filter(|set| !set.spheres.is_empty() || set.half_spaces > 0).count();
@@ -154,38 +139,30 @@ fn find_several_parameter_sets(force: &Force) -> Option<Finding> {
     (used > 1).then(|| Finding::at(&SEVERAL_PARAMETER_SETS, force.line, text).with_place(&force.path))
 }
 
-static FACTORS_DISAGREE: Rule = Rule {
-    code: FindingCode::FactorsDisagree,
-    severity: Severity::Warning,
-    verdict: None,
+rule! { FACTORS_DISAGREE: FactorsDisagree, Warning;
     what: "Two sources give different scale factors of a body.",
     why: "A sphere's place and size follow from its body's factors; the first source in the order given, scale file, mesh, joint offset was taken.",
     advice: "Look at `inspect from`, and give `body_scale=BODY=x,y,z` where another source is right",
     repair: Repair::OnlyInChange("only you know which source is right"),
     example: Example::Request {
         good: r#"{"verb": "transfer", "models": ["scale_tool/scaled_smooth.osim"], "from": "scale_tool/generic_smooth.osim", "follow_bodies": true}"#,
-        bad: r#"{"verb": "transfer", "models": ["scale_tool/scaled_smooth.osim"], "from": "scale_tool/generic_smooth.osim", "follow_bodies": true, "body_scale": {"calcn_r": [1.02, 0.91, 0.95]}}"#,
-    },
-};
+        bad: r#"{"verb": "transfer", "models": ["scale_tool/scaled_smooth.osim"], "from": "scale_tool/generic_smooth.osim", "follow_bodies": true, "body_scale": {"calcn_r": [1.02, 0.91, 0.95]}}"# },
+}
 
 /// The finding that two sources give different scale factors; `message` has the details.
 pub(crate) fn factors_disagree(message: String) -> Finding {
     Finding::new(&FACTORS_DISAGREE, message)
 }
 
-static NOT_A_SCALED_COPY: Rule = Rule {
-    code: FindingCode::NotAScaledCopy,
-    severity: Severity::Warning,
-    verdict: None,
+rule! { NOT_A_SCALED_COPY: NotAScaledCopy, Warning;
     what: "A model is not a scaled copy of the reference whose contacts follow its bodies.",
     why: "In a scaled copy, joint offsets and meshes give each factor exactly. Between different models offsets are not factors: a body then gets the ratio of the mesh factors of the same bone, else one ratio of distances to a joint below it, and the last body of a limb the factors of its parent body.",
     advice: "Nothing, if it is another model on purpose; else name the generic model that this one was scaled from, or give `body_scale=BODY=x,y,z`",
     repair: Repair::OnlyInChange("only you know which model this one was scaled from"),
     example: Example::Request {
         good: r#"{"verb": "inspect", "models": ["scale_tool/scaled_smooth.osim"], "from": "scale_tool/generic_smooth.osim"}"#,
-        bad: r#"{"verb": "inspect", "models": ["scale_tool/scaled_smooth.osim"], "from": "feet/human_40000.osim"}"#,
-    },
-};
+        bad: r#"{"verb": "inspect", "models": ["scale_tool/scaled_smooth.osim"], "from": "feet/human_40000.osim"}"# },
+}
 
 /// The consequence if models are different, for the end of the message.
 const OTHER_SOURCE_OF_FACTORS: &str = "no factors per body and axis lead from the reference to this model; factors are those of the same bone's \

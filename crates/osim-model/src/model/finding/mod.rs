@@ -137,6 +137,23 @@ pub struct Rule {
     pub example: Example,
 }
 
+/// Declares the static of a rule: `NAME: Code, Severity, Topic of its verdict; what: "...", why: "...", ...`. A rule without a verdict
+/// has no topic.
+#[macro_export]
+macro_rules! rule {
+    (@verdict) => { None };
+    (@verdict $verdict:ident) => { Some($crate::VerdictOn::$verdict) };
+    ($(#[$doc:meta])* $visibility:vis $name:ident: $code:ident, $severity:ident $(, $verdict:ident)?; $($field:ident: $value:expr),+ $(,)?) => {
+        $(#[$doc])*
+        $visibility static $name: $crate::Rule = $crate::Rule {
+            code: $crate::FindingCode::$code,
+            severity: $crate::Severity::$severity,
+            verdict: $crate::rule!(@verdict $($verdict)?),
+            $($field: $value),+
+        };
+    };
+}
+
 /// Whether a command can be proposed that removes the reason of a finding.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Repair {
