@@ -1,30 +1,35 @@
 """Contact forces of whole models in which coordinates have chosen values, and the masses that those move.
 
-A job is `[model, coordinates, alone]`: `[joint, coordinate, value]` each, and the paths of spheres that press alone while all others are taken a
-kilometre up, or null for all together. The rest of the model is at its default pose, nothing moves.
+A job is `[model, standings]`, and a standing is `[coordinates, alone]`: `[joint, coordinate, value]` each, and the paths of spheres that press
+alone while all others are taken a kilometre up, or null for all together. The rest of the model is at its default pose, nothing moves.
 
-It gives `{"forces": {force path: {body: size of the force on it in N}}, "moved": [mass in kg of the bodies that each coordinate moves],
+Each standing gives `{"forces": {force path: {body: size of the force on it in N}}, "moved": [mass in kg of the bodies that each coordinate moves],
 "gravity": m/s2, "slopes": [cosine of the angle between up and the normal of each half-space]}`. At rest there is no friction: a contact
 force is along the floor's normal.
 """
 
-from apart import ask
+from apart import run_one_job
 from opensim_feet import matrix
 
 KINDS = ("SmoothSphereHalfSpaceForce", "HuntCrossleyForce")
 FAR = 1000.0  # m
 
 
-def posed(jobs):
-    """OpenSim's results for each `(model, coordinates, alone)`."""
-    return ask("opensim_standing", [[str(model), coordinates, alone] for model, coordinates, alone in jobs])
+def all_standings(model, standings):
+    """OpenSim's results for each `(coordinates, alone)` of one model."""
+    return run_one_job("opensim_standing", [str(model), standings])
 
 
 def run_job(job):
-    """The standing of one model, computed in this process."""
+    """The standings of one model, computed in this process."""
+    path, standings = job
+    return [computed(path, values, alone) for values, alone in standings]
+
+
+def computed(path, values, alone):
+    """One standing, in a model that nothing was taken away from before."""
     import opensim
 
-    path, values, alone = job
     model = opensim.Model(path)
     state = model.initSystem()
     if alone is not None:
