@@ -97,7 +97,7 @@ class {class_name} < Formula
   desc "{project['description']}"
   homepage "{home}"
   version "{version}"
-  license all_of: ["OFL-1.1", { any_of: ["MIT", "Apache-2.0"] }]
+  license all_of: ["OFL-1.1", {{ any_of: ["MIT", "Apache-2.0"] }}]
 {blocks}
   def install
     bin.install "{name}"
