@@ -21,6 +21,8 @@ PACKAGE = ROOT / "matlab/+osimcontact"
 RESULT_SCHEMAS = ROOT / "schemas/results"
 HEADER = "% Made by dev/generate_matlab.py from the schemas of requests and results: change those, and run it."
 WIDTH = 100
+#: The name of a field in MATLAB, where `errors` sounds as if the change had failed.
+ERRORS_OF_FIT = {"errors": "fit_errors"}
 OWN_FUNCTIONS = {
     "apply": "Make the changes of a plan in a live model of OpenSim's own bindings",
     "predsim": "Give a scaled model contacts that fit it, in a new file for PredSim",
@@ -137,7 +139,7 @@ def top_fields(result):
     schema = json.loads((RESULT_SCHEMAS / f"{result}.schema.json").read_text(encoding="utf-8"))
     variants = schema.get("oneOf", [schema])
     names = list(dict.fromkeys(name for variant in variants for name in variant["properties"]))
-    return [name for name in names if name != "schema_version" and not name.endswith("_bytes")]
+    return [ERRORS_OF_FIT.get(name, name) for name in names if name != "schema_version" and not name.endswith("_bytes")]
 
 
 def verb_file(verb, used):
@@ -158,6 +160,7 @@ def declared_file(verbs):
         if positional[:len(required)] != required:
             sys.exit(f"{verb.name}: what must be given comes first among what has no name: {positional}")
         result = RESULTS[verb.name]
+        flags = [field.name for field in verb.fields if set(field.kinds) == {"boolean"} and field.name in names]
         options = textwrap.wrap(cell([*names, "as_table"]), WIDTH, break_on_hyphens=False)
         lines += [f"        case {quoted(function_name(verb.name))}",
                   f"            verb.verb = {quoted(verb.name)};",
@@ -166,6 +169,7 @@ def declared_file(verbs):
                   f"            verb.table = {quoted(TABLES.get(verb.name, ''))};",
                   f"            verb.result = {quoted(result or '')};",
                   f"            verb.without = {cell(WITHOUT.get(verb.name, ()))};",
+                  f"            verb.flags = {cell(flags)};",
                   "            verb.options = " + " ...\n                ".join(options) + ";"]
     lines += ["        otherwise", "            error('osimcontact:usage', 'there is no verb ''%s''', name);", "    end",
               "    verb.name = name;",
@@ -194,8 +198,10 @@ def shape_of(schema, definitions):
     kind = types[0]
     if kind == "object":
         if schema.get("properties"):
-            return {name: shape_of(part, definitions) for name, part in schema["properties"].items()
-                    if not name.endswith("_bytes")}
+            fields = {name: shape_of(part, definitions) for name, part in schema["properties"].items()
+                      if not name.endswith("_bytes")}
+            # Most changes have none: an empty list, not an object of NaN.
+            return {ERRORS_OF_FIT.get(name, name): [part] if name in ERRORS_OF_FIT else part for name, part in fields.items()}
         return "map"
     if kind == "array":
         entry = shape_of(schema["items"], definitions)

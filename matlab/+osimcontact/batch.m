@@ -31,7 +31,7 @@ function results = batch(varargin)
 %         struct of columns.
 %
 %   RESULTS: an array of structs with the fields model, output, geometry_output, contacts_mass_kg,
-%   target_mass_kg, objects, changes, errors, floor_up_m, findings, remarks, credits.
+%   target_mass_kg, objects, changes, fit_errors, floor_up_m, findings, remarks, credits.
 %   docs/reference/json.md and schemas/ say what each holds; what is missing is NaN, '' or empty.
 %
 %   Example:

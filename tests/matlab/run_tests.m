@@ -88,6 +88,7 @@ function copy_models(root, bench)
         'format/v40000.osim', 'one force too.osim'; ...
         'bad/number_decimal_comma.osim', 'decimal comma.osim'; ...
         'measured/heel_pad.csv', 'measured.csv'
+        'motion/plates.sto', 'plates.sto'
         'motion/walker.osim', 'walker.osim'
         'motion/walk.mot', 'walk.mot'};
     for i = 1:size(copies, 1)

@@ -22,7 +22,7 @@ function wrong_usage()
     must_throw('osimcontact:usage', @() osimcontact.rescale('human.osim', 5, 500));
     must_throw('osimcontact:usage', @() osimcontact.rescale('human.osim', 'TargetMass', 500, 'target_mass', 62));
     must_throw('osimcontact:usage', @() osimcontact.rescale('human.osim', 'a b', 500));
-    must_throw('osimcontact:usage', @() osimcontact.rescale('human.osim', 'level', 1, 'target_mass', 500));
+    must_throw('osimcontact:usage', @() osimcontact.rescale('human.osim', 'level', 2, 'target_mass', 500));
 end
 
 function what_is_left_out()

@@ -124,6 +124,10 @@ function the_program_is_not_there()
     back = onCleanup(@() setenv('HOME', home));
     message = must_throw('osimcontact:programNotFound', @() osimcontact.inspect('human.osim'));
     must(~isempty(strfind(message, 'osimcontact.program(')), 'it does not say what to do: %s', message);
+    % What was named before stays.
+    setenv('OSIM_CONTACT_SCALE', fullfile(pwd(), 'human.osim'));
+    must_throw('osimcontact:programNotFound', @() with_program('/nowhere/osim-contact-scale'));
+    must(strcmp(osimcontact.program(), fullfile(pwd(), 'human.osim')), 'the program named before is gone');
     % A file that is not a program.
     must_throw('osimcontact:programFailed', @() with_program(fullfile(pwd(), 'human.osim')));
 end

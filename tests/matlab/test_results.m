@@ -1,7 +1,7 @@
 function tests = test_results()
 %TEST_RESULTS What comes back: the right values, and the same fields in every element.
     tests = {@rescaling_follows_the_paper, @all_elements_have_the_same_fields, @missing_numbers_are_nan, ...
-        @some_models_fail, @explanations_of_all_kinds, @series_are_columns, @columns_of_results, @tables_are_made_of_columns, ...
+        @some_models_fail, @explanations_of_all_kinds, @series_are_columns, @only_a_fit_has_errors_of_the_fit, @columns_of_results, @tables_are_made_of_columns, ...
         @findings_are_said_once, @tables_of_the_program, @texts_of_json, @real_models};
 end
 
@@ -67,6 +67,13 @@ function series_are_columns()
     count = numel(found.parameters);
     must(isequal(size(found.covariance), [count count]) && isequal(found.covariance, found.covariance'), ...
         'the covariance is not a symmetric matrix');
+end
+
+function only_a_fit_has_errors_of_the_fit()
+    done = osimcontact.rescale('human.osim', 'target_mass', 500, 'dry_run', true);
+    must(~isfield(done, 'errors') && isempty(done.fit_errors) && isfield(done.fit_errors, 'cop_rms_m'), 'a change has errors of a fit');
+    done = osimcontact.fit('walker.osim', 'motion', 'walk.mot', 'plates', 'plates.sto', 'dry_run', true);
+    must(isscalar(done.fit_errors) && done.fit_errors.vertical_rms_bw >= 0, 'a fit has no errors');
 end
 
 function columns_of_results()

@@ -1,7 +1,7 @@
 function tests = test_verbs()
 %TEST_VERBS Every verb: its function, its help, and the example in it.
     tests = {@every_verb_has_a_function, @help_is_found, @helps_name_every_option, @examples_run_as_they_stand, @names_in_every_spelling, ...
-        @arguments_before_the_options, @objects_as_structs_and_maps};
+        @flags_in_every_spelling, @names_in_messages, @arguments_before_the_options, @objects_as_structs_and_maps};
 end
 
 function every_verb_has_a_function()
@@ -74,6 +74,30 @@ function names_in_every_spelling()
     end
 end
 
+function flags_in_every_spelling()
+    for value = {true, 1, 'on', 'On'}
+        done = osimcontact.rescale('human.osim', 'TargetMass', 500, 'DryRun', value{1}, 'Level', 'off', 'InPlace', 0, 'NoNote', false);
+        must(isempty(done.output), 'it was written');
+    end
+    for value = {2, 'yes', [0 1]}
+        message = must_throw('osimcontact:usage', @() osimcontact.rescale('human.osim', 'TargetMass', 500, 'dry_run', value{1}));
+        must(strcmp(message, '''dry_run'' is true or false'), 'another message: %s', message);
+    end
+end
+
+function names_in_messages()
+    for name = {'target_mass', 'TargetMass', 'targetmass'}
+        message = must_throw('osimcontact:usage', @() osimcontact.rescale('human.osim', name{1}, -70));
+        must(~isempty(strfind(message, ['''' name{1} ''''])), 'it was typed otherwise: %s', message);
+        message = must_throw('osimcontact:implausible_mass', @() osimcontact.rescale('human.osim', name{1}, 62000));
+        must(~isempty(strfind(message, ['''' name{1} ''', 62000'])), 'it was typed otherwise: %s', message);
+        message = must_throw('osimcontact:usage', @() osimcontact.rescale('human.osim', name{1}, [50 60]));
+        must(~isempty(strfind(message, 'osimcontact.batch')), 'it does not name batch: %s', message);
+    end
+    message = must_throw('osimcontact:usage', @() osimcontact.rescale('human.osim', 'TargetMas', 70));
+    must(~isempty(strfind(message, '''TargetMas''')), 'it was typed otherwise: %s', message);
+end
+
 function arguments_before_the_options()
     one = osimcontact.presets('falisse2022');
     must(strcmp(one.name, 'falisse2022'), 'a name alone');
@@ -83,6 +107,7 @@ function arguments_before_the_options()
     must(numel(own) > numel(all), 'an option alone');
     sheet = osimcontact.design('radius', 0.032, 'indentation', 0.16, 'load', 100, 'spheres', 6);
     must(isfield(sheet, 'figures') && ~isfield(sheet, 'changes'), 'design without a model is a calculator');
+    must(sheet.radius_m == 0.032 && sheet.stiffness == sheet.figures(strcmp({sheet.figures.name}, 'stiffness')).value, 'its fields differ');
     done = osimcontact.design('human.osim', 'indentation', 0.1, 'dry_run', true);
     must(isfield(done, 'changes'), 'design with a model is a change');
     done = osimcontact.plot('fig4', 'output', 'fig4.svg');

@@ -1,5 +1,6 @@
 function [request, as_table] = make_request(declaration, arguments)
 %MAKE_REQUEST The request that the arguments of a function mean: request.fields, and request.text, which is JSON.
+%   request.typed has the names of options as they were typed.
 %   A table among the arguments is request.input, as CSV: the program reads it from its standard input.
 
     % One argument more than pairs can have is one that comes before them.
@@ -16,6 +17,7 @@ function [request, as_table] = make_request(declaration, arguments)
     fields = struct();
     input = '';
     as_table = false;
+    typed = struct();
     for i = 1:count
         fields = add_field(fields, names{i}, arguments{i});
     end
@@ -34,7 +36,15 @@ function [request, as_table] = make_request(declaration, arguments)
             error('osimcontact:usage', ['leave out ''%s'': it says how a terminal shows results, and here results are structs. ' ...
                 'See help osimcontact.%s'], char(arguments{i}), declaration.name);
         else
-            fields = add_field(fields, name, arguments{i + 1});
+            value = arguments{i + 1};
+            if any(strcmp(name, declaration.flags))
+                value = flag(value, char(arguments{i}));
+            elseif strcmp(name, 'target_mass') && isnumeric(value) && isvector(value) && numel(value) > 1 && all(isfinite(value))
+                error('osimcontact:usage', ['''%s'' is one mass, not %d: osimcontact.batch takes a table with a model and a mass ' ...
+                    'in each row'], char(arguments{i}), numel(value));
+            end
+            fields = add_field(fields, name, value);
+            typed.(name) = char(arguments{i});
         end
     end
 
@@ -47,10 +57,25 @@ function [request, as_table] = make_request(declaration, arguments)
         texts{end + 1} = '"format":"json"';
     end
     for name = fieldnames(fields)'
-        value = osimcontact.internal.json_text(fields.(name{1}), name{1});
+        spelled = name{1};
+        if isfield(typed, spelled)
+            spelled = typed.(spelled);
+        end
+        value = osimcontact.internal.json_text(fields.(name{1}), spelled);
         texts{end + 1} = [osimcontact.internal.json_text(name{1}, 'name') ':' value]; %#ok<AGROW>
     end
-    request = struct('fields', fields, 'text', ['{' strjoin(texts, ',') '}'], 'input', input);
+    request = struct('fields', fields, 'text', ['{' strjoin(texts, ',') '}'], 'input', input, 'typed', typed);
+end
+
+function value = flag(value, name)
+    % 0 and 1, 'off' and 'on' are taken as by MATLAB's own functions.
+    if (isnumeric(value) && isscalar(value) && any(value == [0 1])) || isa(value, 'matlab.lang.OnOffSwitchState')
+        value = logical(value);
+    elseif is_text(value) && any(strcmpi(char(value), {'on', 'off'}))
+        value = strcmpi(char(value), 'on');
+    elseif (isnumeric(value) && ~isempty(value)) || is_text(value)
+        error('osimcontact:usage', '''%s'' is true or false', name);
+    end
 end
 
 function fields = add_field(fields, name, value)

@@ -12,7 +12,7 @@ function results = run_verb(verb, arguments)
         records = cellfun(@osimcontact.internal.json_value, lines, 'UniformOutput', false);
     end
     has_failed = cellfun(@(record) isfield(record, 'error'), records);
-    osimcontact.internal.throw_failures(status, errors, records, has_failed, ~isempty(request.input));
+    osimcontact.internal.throw_failures(status, errors, records, has_failed, request);
 
     if ~declaration.gives_json
         results = struct('output', char(request.fields.output), 'text', strtrim(output));
@@ -31,6 +31,10 @@ function results = run_verb(verb, arguments)
 end
 
 function [results, shape] = complete_results(records, shape)
+    for i = find(cellfun(@(record) isfield(record, 'errors') && isfield(shape, 'fit_errors'), records))
+        records{i}.fit_errors = {records{i}.errors};
+        records{i} = rmfield(records{i}, 'errors');
+    end
     if isfield(shape, 'model')
         failure = osimcontact.internal.shapes('failure');
         shape.error = {failure.error};
@@ -39,6 +43,13 @@ function [results, shape] = complete_results(records, shape)
         end
     end
     results = osimcontact.internal.complete_fields(records(:), {shape});
+    if isfield(shape, 'figures') && iscell(shape.figures) && isfield(shape.figures{1}, 'given') && isscalar(results)
+        % The quantities of a design sheet are fields, too.
+        for figure = results.figures'
+            results.(figure.name) = figure.value;
+            shape.(figure.name) = 'number';
+        end
+    end
 end
 
 function show_findings(verb, results)

@@ -1,10 +1,10 @@
-function throw_failures(status, errors, records, has_failed, has_table)
+function throw_failures(status, errors, records, has_failed, request)
 %THROW_FAILURES Throw an error if a call has no results; show a warning if only some models failed.
-%   HAS_TABLE: a table was an argument, so that rows are counted as in MATLAB.
+%   Options are named as they were typed. If a table was an argument, rows are counted as in MATLAB.
 
-    errors = matlab_text(strrep(errors, 'error: ', ''));
-    failures = cellfun(@translate_message, records(has_failed), 'UniformOutput', false);
-    if has_table
+    errors = matlab_text(strrep(errors, 'error: ', ''), request.typed);
+    failures = cellfun(@(record) translate_message(record, request.typed), records(has_failed), 'UniformOutput', false);
+    if ~isempty(request.input)
         errors = matlab_rows(regexprep(errors, '^-: ', 'the table: '));
         failures = cellfun(@name_table, failures, 'UniformOutput', false);
     end
@@ -33,14 +33,21 @@ function text = failure_text(record)
     text = [regexprep(record.model, '[\x00-\x1f\x7f]', '?') place ': ' record.error.message];
 end
 
-function record = translate_message(record)
-    record.error.message = matlab_text(record.error.message);
+function record = translate_message(record, typed)
+    record.error.message = matlab_text(record.error.message, typed);
 end
 
-function text = matlab_text(text)
+function text = matlab_text(text, typed)
     % The program spells fields and values in backticks and file names that are not UTF-8 as in JSON.
     text = regexprep(text, '`([^`]*)`', '''$1''');
     text = strrep(text, ', as text or as {"bytes": [...]}', '');
+    for name = fieldnames(typed)'
+        % The program spells the options that it knows as 'TargetMass'.
+        words = cellfun(@(word) [upper(word(1:min(1, end))) word(2:end)], strsplit(name{1}, '_'), 'UniformOutput', false);
+        for spelled = {[words{:}], name{1}}
+            text = strrep(text, ['''' spelled{1} ''''], ['''' typed.(name{1}) '''']);
+        end
+    end
 end
 
 function record = name_table(record)

@@ -10,6 +10,7 @@ function verb = verb_declaration(name)
             verb.table = 'contacts';
             verb.result = 'change';
             verb.without = {};
+            verb.flags = {'default_pose', 'friction', 'level', 'replace', 'skip_disabled', 'in_place', 'no_backup', 'force', 'no_note', 'dry_run', 'resume'};
             verb.options = {'models', 'from', 'contacts', 'default_pose', 'feet', 'count', 'pad', 'geometry_dir', 'mirror', ...
                 'class', 'friction', 'radius', 'body_scale', 'body_map', 'level', 'replace', 'select', 'exclude', ...
                 'skip_disabled', 'indentation', 'young', 'poisson', 'restitution', 'impact_speed', ...
@@ -26,6 +27,7 @@ function verb = verb_declaration(name)
             verb.table = 'manifest';
             verb.result = 'change';
             verb.without = {};
+            verb.flags = {'in_place', 'no_backup', 'force', 'no_note', 'allow_outside', 'dry_run', 'resume'};
             verb.options = {'manifest', 'output', 'geometry_output', 'output_dir', 'in_place', 'no_backup', 'force', 'no_note', ...
                 'allow_outside', 'dry_run', 'report', 'jobs', 'summary', 'resume', 'shard', 'yes', 'as_table'};
         case 'check'
@@ -35,6 +37,7 @@ function verb = verb_declaration(name)
             verb.table = '';
             verb.result = 'check';
             verb.without = {};
+            verb.flags = {'fix', 'in_place', 'force', 'skip_disabled'};
             verb.options = {'models', 'from', 'body_scale_file', 'moco_setup', 'from_moco_setup', 'motion', 'plates', 'loads', ...
                 'angles', 'fix', 'output', 'output_dir', 'in_place', 'report', 'force', 'spheres', 'stance_limbs', ...
                 'impact_speed', 'gravity', 'contacts_mass', 'mass', 'exclude_body', 'select', 'exclude', ...
@@ -46,6 +49,7 @@ function verb = verb_declaration(name)
             verb.table = '';
             verb.result = 'change';
             verb.without = {};
+            verb.flags = {'sockets', 'strict', 'skip_disabled', 'in_place', 'no_backup', 'force', 'no_note', 'dry_run', 'resume'};
             verb.options = {'models', 'to', 'sockets', 'constant_contact_force', 'hertz_smoothing', 'hunt_crossley_smoothing', ...
                 'strict', 'select', 'exclude', 'skip_disabled', 'output', 'geometry_output', 'output_dir', ...
                 'in_place', 'no_backup', 'force', 'no_note', 'dry_run', 'report', 'jobs', 'summary', 'resume', ...
@@ -57,6 +61,7 @@ function verb = verb_declaration(name)
             verb.table = '';
             verb.result = 'change';
             verb.without = {'models', 'design'};
+            verb.flags = {'skip_disabled', 'in_place', 'no_backup', 'force', 'no_note', 'dry_run', 'resume'};
             verb.options = {'models', 'radius', 'indentation', 'contact_stiffness', 'young', 'poisson', 'stiffness', ...
                 'restitution', 'impact_speed', 'constant_indentation', 'state_width', 'speed_width', 'threshold', ...
                 'dimensionless_stiffness', 'stress', 'load', 'body_weights', 'gravity', 'contacts_mass', 'mass', ...
@@ -70,6 +75,7 @@ function verb = verb_declaration(name)
             verb.table = '';
             verb.result = 'drop-test';
             verb.without = {};
+            verb.flags = {'skip_disabled'};
             verb.options = {'subject', 'height', 'duration', 'samples', 'compare', 'compare_spheres', 'presets', 'radius', ...
                 'stiffness', 'dissipation', 'constant_contact_force', 'hertz_smoothing', 'hunt_crossley_smoothing', ...
                 'gravity', 'spheres', 'stance_limbs', 'contacts_mass', 'mass', 'exclude_body', 'select', 'exclude', ...
@@ -81,6 +87,7 @@ function verb = verb_declaration(name)
             verb.table = '';
             verb.result = 'explanation';
             verb.without = {};
+            verb.flags = {};
             verb.options = {'topics', 'as_table'};
         case 'fit'
             verb.verb = 'fit';
@@ -89,6 +96,7 @@ function verb = verb_declaration(name)
             verb.table = 'file';
             verb.result = 'change';
             verb.without = {'motion', 'fit'};
+            verb.flags = {'unbounded', 'skip_disabled', 'in_place', 'no_backup', 'force', 'no_note', 'dry_run', 'resume'};
             verb.options = {'file', 'motion', 'plates', 'loads', 'fit', 'unbounded', 'height_in', 'belt', 'belt_column', ...
                 'start', 'end', 'angles', 'low_pass', 'plates_delay', 'radius', 'spheres', 'onset', 'branch', ...
                 'indentation_column', 'force_column', 'speed_column', 'time_column', 'indentation_unit', ...
@@ -103,6 +111,7 @@ function verb = verb_declaration(name)
             verb.table = '';
             verb.result = 'inspection';
             verb.without = {};
+            verb.flags = {'force', 'skip_disabled'};
             verb.options = {'models', 'from', 'body_scale_file', 'target_mass', 'report', 'force', 'spheres', 'stance_limbs', ...
                 'impact_speed', 'gravity', 'contacts_mass', 'mass', 'exclude_body', 'select', 'exclude', ...
                 'skip_disabled', 'geometry', 'model', 'yes', 'as_table'};
@@ -113,6 +122,7 @@ function verb = verb_declaration(name)
             verb.table = '';
             verb.result = 'motion';
             verb.without = {};
+            verb.flags = {'vertical', 'force', 'skip_disabled'};
             verb.options = {'subject', 'motion', 'plates', 'loads', 'angles', 'low_pass', 'plates_delay', 'belt', ...
                 'belt_column', 'start', 'end', 'correct', 'vertical', 'floor', 'output', 'force', 'contacts_mass', ...
                 'mass', 'exclude_body', 'select', 'exclude', 'skip_disabled', 'geometry', 'model', 'as_table'};
@@ -123,6 +133,7 @@ function verb = verb_declaration(name)
             verb.table = '';
             verb.result = 'change';
             verb.without = {};
+            verb.flags = {'in_place', 'no_backup', 'force', 'no_note', 'dry_run', 'resume'};
             verb.options = {'models', 'contacts_mass', 'contacts_gravity', 'stance_limbs', 'output', 'geometry_output', ...
                 'output_dir', 'in_place', 'no_backup', 'force', 'no_note', 'dry_run', 'report', 'jobs', 'summary', ...
                 'resume', 'shard', 'yes', 'geometry', 'model', 'as_table'};
@@ -133,6 +144,7 @@ function verb = verb_declaration(name)
             verb.table = 'table';
             verb.result = '';
             verb.without = {};
+            verb.flags = {'force', 'skip_disabled'};
             verb.options = {'kind', 'models', 'output', 'data', 'force', 'target_mass', 'axes', 'geometry_dir', 'motion', ...
                 'plates', 'loads', 'angles', 'presets', 'gravity', 'height', 'duration', 'quantity', 'stiffness', ...
                 'dissipation', 'table', 'value_column', 'x_column', 'y_column', 'value_range', 'title', 'label', ...
@@ -146,6 +158,7 @@ function verb = verb_declaration(name)
             verb.table = '';
             verb.result = 'preset';
             verb.without = {};
+            verb.flags = {};
             verb.options = {'name', 'presets', 'as_table'};
         case 'remove'
             verb.verb = 'remove';
@@ -154,6 +167,7 @@ function verb = verb_declaration(name)
             verb.table = '';
             verb.result = 'change';
             verb.without = {};
+            verb.flags = {'skip_disabled', 'in_place', 'no_backup', 'force', 'no_note', 'dry_run', 'resume'};
             verb.options = {'models', 'select', 'exclude', 'skip_disabled', 'output', 'geometry_output', 'output_dir', ...
                 'in_place', 'no_backup', 'force', 'no_note', 'dry_run', 'report', 'jobs', 'summary', 'resume', ...
                 'shard', 'yes', 'as_table'};
@@ -164,6 +178,7 @@ function verb = verb_declaration(name)
             verb.table = '';
             verb.result = 'reproduction';
             verb.without = {};
+            verb.flags = {'force'};
             verb.options = {'output_dir', 'force', 'as_table'};
         case 'rescale'
             verb.verb = 'rescale';
@@ -172,6 +187,7 @@ function verb = verb_declaration(name)
             verb.table = '';
             verb.result = 'change';
             verb.without = {};
+            verb.flags = {'level', 'friction', 'follow_bodies', 'skip_disabled', 'in_place', 'no_backup', 'force', 'no_note', 'dry_run', 'resume'};
             verb.options = {'models', 'target_mass', 'contacts_mass', 'mass', 'exclude_body', 'radius', 'level', 'level_axis', ...
                 'only', 'keep', 'dissipation_by', 'friction', 'contacts_gravity', 'target_gravity', ...
                 'body_scale_file', 'follow_bodies', 'select', 'exclude', 'skip_disabled', 'output', ...
@@ -184,6 +200,7 @@ function verb = verb_declaration(name)
             verb.table = '';
             verb.result = 'change';
             verb.without = {};
+            verb.flags = {'level', 'skip_disabled', 'in_place', 'no_backup', 'force', 'no_note', 'dry_run', 'resume'};
             verb.options = {'models', 'set', 'level', 'contacts_mass', 'mass', 'exclude_body', 'select', 'exclude', ...
                 'skip_disabled', 'output', 'geometry_output', 'output_dir', 'in_place', 'no_backup', 'force', ...
                 'no_note', 'dry_run', 'report', 'jobs', 'summary', 'resume', 'shard', 'yes', 'geometry', 'model', ...
@@ -195,6 +212,7 @@ function verb = verb_declaration(name)
             verb.table = '';
             verb.result = 'sweep';
             verb.without = {};
+            verb.flags = {'force', 'resume', 'no_note', 'dry_run', 'skip_disabled'};
             verb.options = {'model', 'grid', 'ladder', 'soft', 'point', 'shard', 'output_dir', 'force', 'resume', 'no_note', ...
                 'dry_run', 'jobs', 'radius', 'indentation', 'contact_stiffness', 'young', 'poisson', 'stiffness', ...
                 'restitution', 'impact_speed', 'constant_indentation', 'state_width', 'speed_width', 'threshold', ...
@@ -207,6 +225,7 @@ function verb = verb_declaration(name)
             verb.table = '';
             verb.result = 'change';
             verb.without = {};
+            verb.flags = {'follow_bodies', 'strict', 'level', 'friction', 'skip_disabled', 'in_place', 'no_backup', 'force', 'no_note', 'dry_run', 'resume'};
             verb.options = {'models', 'from', 'presets', 'spheres', 'stance_limbs', 'reference_mass', 'reference_spheres', ...
                 'reference_gravity', 'reference_select', 'reference_sphere', 'follow_bodies', 'body_scale_file', ...
                 'body_scale', 'radius_axis', 'moved_spheres', 'strict', 'rule', 'height_ratio', 'contacts_mass', ...
