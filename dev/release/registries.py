@@ -112,8 +112,9 @@ class {class_name} < Formula
   end
 end
 """
-    archive = f"{name}-{version}-x86_64-pc-windows-msvc"
-    if f"{archive}.zip" in sums:
+    archives = {"x64": f"{name}-{version}-x86_64-pc-windows-msvc", "arm64": f"{name}-{version}-aarch64-pc-windows-msvc"}
+    archives = {processor: archive for processor, archive in archives.items() if f"{archive}.zip" in sums}
+    if archives:
         package = f"{home.rstrip('/').split('/')[-2]}.{name}"
         head = f"PackageIdentifier: {package}\nPackageVersion: {version}\n"
         tail = "ManifestVersion: 1.6.0\n"
@@ -127,17 +128,19 @@ License: {project['license']}
 ShortDescription: {project['description']}
 ManifestType: defaultLocale
 {tail}"""
+        installers = "".join(f"""\
+  - Architecture: {processor}
+    NestedInstallerFiles:
+      - RelativeFilePath: {archive}\\{name}.exe
+        PortableCommandAlias: {name}
+    InstallerUrl: {download(archive + '.zip')}
+    InstallerSha256: {sums[archive + '.zip'].upper()}
+""" for processor, archive in archives.items())
         files[f"winget/{package}.installer.yaml"] = f"""\
 {head}InstallerType: zip
 NestedInstallerType: portable
-NestedInstallerFiles:
-  - RelativeFilePath: {archive}\\{name}.exe
-    PortableCommandAlias: {name}
 Installers:
-  - Architecture: x64
-    InstallerUrl: {download(archive + '.zip')}
-    InstallerSha256: {sums[archive + '.zip'].upper()}
-ManifestType: installer
+{installers}ManifestType: installer
 {tail}"""
     return files
 

@@ -90,7 +90,7 @@ class DropTest(Answer, DropTestFields):
     """A simulated fall on the contacts of a model or preset."""
 
     __slots__ = ()
-    _FIRST = ("model", "mass_kg", "peak_force_bw", "final_relative_indentation", "restitution_exact")
+    _FIRST = ("peak_force_bw", "final_relative_indentation", "restitution_exact", "mass_kg", "model")
 
     @property
     def series(self) -> Table:
@@ -119,6 +119,7 @@ class Motion(Answer, MotionFields):
     """
 
     __slots__ = ("_columns",)
+    _FIRST = ("stride_mean_n", "measured_stride_mean_n", "weight_n", "mass_kg", "frames", "model")
 
     def __init__(self, record: dict[str, Any], text: str, columns: dict[str, list[Any]]) -> None:
         super().__init__(record, text)
