@@ -48,6 +48,10 @@ def environment(target):
     """
     cargo = os.environ.get("CARGO_HOME") or Path.home() / ".cargo"
     flags = ["-Cembed-bitcode=yes", f"--remap-path-prefix={ROOT}=.", f"--remap-path-prefix={cargo}=cargo"]
+    # Those of a distribution, such as conda-forge, stay.
+    encoded = os.environ.get("CARGO_ENCODED_RUSTFLAGS")
+    given = encoded.split("\x1f") if encoded else os.environ.get("RUSTFLAGS", "").split()
+    flags = [flag for flag in given if flag not in flags] + flags
     # With a target the flags are for what is built, not for what runs while it is built.
     return os.environ | {"CARGO_ENCODED_RUSTFLAGS": "\x1f".join(flags), "CARGO_BUILD_TARGET": target}
 
