@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from ._result import Result
 
 #: Columns of a table of findings.
-COLUMNS = ("code", "severity", "message", "place", "spheres", "line", "why", "advice", "command")
+COLUMNS = ("code", "severity", "message", "place", "spheres", "line", "column", "why", "advice", "command")
 
 
 @dataclass(frozen=True, repr=False)
@@ -113,8 +113,8 @@ class Finding(NamedValues):
         Component path of the force or sphere.
     spheres : tuple of str
         Names of all spheres concerned.
-    line : int or None
-        Line in the model.
+    line, column : int or None
+        Where it is in the model's file.
     details : tuple of str
         Sentences about single spheres, such as where each belongs; empty if the message says all.
     had_before : bool
@@ -131,6 +131,7 @@ class Finding(NamedValues):
     place: str | None
     spheres: tuple[str, ...]
     line: int | None
+    column: int | None
     details: tuple[str, ...]
     had_before: bool
     remedy: Remedy | None
@@ -152,7 +153,7 @@ class Finding(NamedValues):
         return repr_line("Finding", str(self))
 
     def _repr_html_(self) -> str:
-        names = ("severity", "code", "message", "place", "line", "why", "advice", "remedy")
+        names = ("severity", "code", "message", "place", "line", "column", "why", "advice", "remedy")
         fields = ((name, getattr(self, name)) for name in names)
         return html_table(("", "finding"), [(name, value) for name, value in fields if value is not None])
 

@@ -297,7 +297,8 @@ fn findings_agree_with_their_topics_in_explain() {
                 (&topic["why"], &topic["advice"]),
                 (&finding.why.as_str().into(), &finding.advice.as_str().into())
             );
-            assert!(!finding.message.is_empty() && finding.line != Some(0));
+            assert!(!finding.message.is_empty() && ![finding.line, finding.column].contains(&Some(0)));
+            assert_eq!(finding.line.is_some(), finding.column.is_some());
             assert!(
                 finding.details.is_empty() || finding.details.len() == finding.spheres.len(),
                 "{finding:?}"

@@ -71,6 +71,7 @@ pub(crate) struct Finding {
     pub(crate) place: Option<String>,
     pub(crate) spheres: Vec<String>,
     pub(crate) line: Option<usize>,
+    pub(crate) column: Option<usize>,
     pub(crate) details: Vec<String>,
     pub(crate) command: Option<String>,
     pub(crate) had_before: bool,

@@ -82,7 +82,10 @@ VERBS = {
     "steps": (["sweep", "SMALL", "--ladder", "COUNT", *DESIGN_OPTIONS, "-d", OUT, "--jobs", "1"], ["files"]),
     "drop-test": (["drop-test", MODEL, "--duration", "0.01"], ["forces"]),
     "files": (["rescale", "FOLDER", "--target-mass", "500", "-d", OUT, "--summary", "OUT.csv", "--jobs", "1"], ["files"]),
+    "inspect files": (["inspect", "FOLDER"], ["files"]),
     "check files": (["check", "FOLDER"], ["files"]),
+    "add files": (["add", "FOLDER", "--from", "falisse2022", "--replace", "-d", OUT, "--jobs", "1"], ["files"]),
+    "convert files": (["convert", "FOLDER", "--to", "hunt-crossley", "-d", OUT, "--jobs", "1"], ["files"]),
     "batch": (["batch", "TABLE", "-d", OUT, "--jobs", "1"], ["files"]),
     "points": (["sweep", "SMALL", "--grid", "stiffness=x1..x2/COUNT", "-d", OUT, "--jobs", "1"], ["files"]),
 }

@@ -1,7 +1,7 @@
 //! Parts that all JSON results have in common: the version of their schemas, and how findings and phrases are serialised.
 
-use osim_model::Finding;
 use osim_model::messages::Phrase;
+use osim_model::{Finding, TextPosition};
 use serde::{Serialize, Serializer};
 #[cfg(feature = "schemas")]
 use serde_json::{Map, Value};
@@ -29,8 +29,10 @@ pub struct FindingRecord {
     pub place: Option<String>,
     /// Names of all spheres that the finding is about.
     pub spheres: Vec<String>,
-    /// Line in the model's file.
+    /// Line in the model's file, from 1.
     pub line: Option<usize>,
+    /// Column in its line, in letters, from 1.
+    pub column: Option<usize>,
     /// A sentence for each element that the finding is about, if there is more to say than its name.
     pub details: Vec<String>,
     /// The call that corrects the fault, if `check` can propose one.
@@ -49,7 +51,8 @@ impl From<&Finding> for FindingRecord {
             advice: finding.advice.to_string(),
             place: finding.place.clone(),
             spheres: finding.spheres.clone(),
-            line: finding.line,
+            line: finding.position.map(|at| at.line),
+            column: finding.position.map(|at| at.column),
             details: finding.details.clone(),
             command: None,
             had_before: finding.had_before,
@@ -72,6 +75,10 @@ pub(crate) fn records_with_commands<S: Serializer>(
     serializer: S,
 ) -> Result<S::Ok, S::Error> {
     serializer.collect_seq(findings.iter().map(FindingRecord::from))
+}
+
+pub(crate) fn line_alone<S: Serializer>(position: &TextPosition, serializer: S) -> Result<S::Ok, S::Error> {
+    position.line.serialize(serializer)
 }
 
 pub(crate) fn optional_phrase<S: Serializer>(

@@ -78,7 +78,7 @@ impl<'m> PlanBuilder<'m> {
             to: new.to,
             factor: new.factor,
             by: new.by,
-            line: self.model.file(force.file).line(slot.offset),
+            line: self.model.file(force.file).position(slot.offset).line,
             inserted: slot.span.is_none(),
             slot,
         })
@@ -152,7 +152,7 @@ impl<'m> PlanBuilder<'m> {
     }
 
     fn line_of_slot(&self, slot: &Slot) -> usize {
-        self.model.file(slot.file).line(slot.offset)
+        self.model.file(slot.file).position(slot.offset).line
     }
 
     fn refuse_included(&self, file: FileId, path: &str) -> Result<(), Fault> {

@@ -267,14 +267,14 @@ fn question_about(wrong: &Finding, has_parted: bool) -> Suspicion {
 /// A finding about the new model for people who have only the old file. Its line is left out, because it is a line of the new file.
 fn about_new_model(found: Finding) -> Finding {
     if found.had_before {
-        return found.with_line(None);
+        return found.with_position(None);
     }
     let message = match found.code() {
         // Only part of the contacts was changed.
         FindingCode::StaleNote => "the next run will ask for which mass the contacts are made".into(),
         _ => found.message.clone(),
     };
-    found.with_message(phrase!["in the new model: ", &message]).with_line(None)
+    found.with_message(phrase!["in the new model: ", &message]).with_position(None)
 }
 
 // What a change does to the bottoms of spheres: bodies that stood at their default pose and no longer do, and feet that it makes

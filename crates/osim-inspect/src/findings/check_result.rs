@@ -55,7 +55,7 @@ pub(crate) fn sort_findings(mut findings: Vec<FindingWithRemedy>) -> Vec<Finding
         !matches!(finding.code(), FindingCode::SpheresLeftBehind | FindingCode::SpheresMisplaced)
     };
     findings.sort_by_key(|finding| {
-        (Reverse(finding.severity), is_symptom(finding), finding.code(), finding.line)
+        (Reverse(finding.severity), is_symptom(finding), finding.code(), finding.position.map(|at| at.line))
     });
     findings
 }

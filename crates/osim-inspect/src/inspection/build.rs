@@ -61,7 +61,7 @@ impl InspectOptions {
         findings.extend(factors.iter().flat_map(|factors| factors.findings.iter().cloned()));
         for fault in [mass.as_ref().err(), contacts_mass.as_ref().err()].into_iter().flatten() {
             let mut finding = contacts::stale_note(fault).unwrap_or_else(|| contacts::mass_unknown(fault));
-            finding.line = fault.offset.map(|offset| model.file(fault.file).line(offset));
+            finding.position = fault.offset.map(|offset| model.file(fault.file).position(offset));
             if !findings.contains(&finding) {
                 findings.push(finding);
             }
@@ -176,7 +176,7 @@ fn inspected_spheres(model: &Model, limbs: &Limbs) -> Vec<InspectedSphere> {
         location_m: sphere.location_m,
         frame: sphere.frame.clone(),
         body: sphere.body.clone(),
-        line: sphere.line,
+        position: sphere.position,
         limb: limb_of(sphere.id),
         lowest_point_m: model.lowest_point_m(sphere.id).map(DVec3::into),
     });
@@ -208,7 +208,7 @@ fn inspected_forces(model: &Model, selected: &Selected, contacts: &ContactsOfSet
                 parameters: Parameters(parameters),
                 origin: Origins(parameters_of_set(force, set.id, |value| value.origin)),
                 dimensionless: contact.and_then(|contact| Dimensionless::of(contact.dimensionless.as_ref()?)),
-                line: set.line,
+                position: set.position,
             });
         }
     }

@@ -7,12 +7,12 @@ use std::collections::BTreeMap;
 use contact_scaling::DimensionlessContact;
 use osim_model::compare::SpherePlacements;
 use osim_model::messages::{Dialect, Phrase, readable};
-use osim_model::{Finding, Mass, Property, ValueOrigin};
+use osim_model::{Finding, Mass, Property, TextPosition, ValueOrigin};
 use serde::{Serialize, Serializer};
 
 #[cfg(feature = "schemas")]
 use crate::serialized::FindingRecord;
-use crate::serialized::{optional_phrase, records};
+use crate::serialized::{line_alone, optional_phrase, records};
 use crate::{Figures, KnownContacts, NoteSummary, ReferenceContacts, SizeList, StandingBody};
 
 /// Everything that `inspect` shows of a model.
@@ -156,7 +156,9 @@ pub struct InspectedSphere {
     /// The body that the frame belongs to, if there is one.
     pub body: Option<String>,
     /// Line of the element, from 1.
-    pub line: usize,
+    #[serde(rename = "line", serialize_with = "line_alone")]
+    #[cfg_attr(feature = "schemas", schemars(rename = "line", with = "usize"))]
+    pub position: TextPosition,
     /// Limb to which the sphere belongs.
     pub limb: Option<String>,
     /// Lowest point in the body's frame, m, with the body's axes as they are at the default pose.
@@ -190,7 +192,9 @@ pub struct InspectedForce {
     /// if mass, limbs or gravity are not known, or one of its numbers is more than a double holds.
     pub dimensionless: Option<Dimensionless>,
     /// Line of the element, from 1.
-    pub line: usize,
+    #[serde(rename = "line", serialize_with = "line_alone")]
+    #[cfg_attr(feature = "schemas", schemars(rename = "line", with = "usize"))]
+    pub position: TextPosition,
     /// E* with a plane of the same material (A.4), N/m²; if the force has several materials, with these (A.3).
     pub composite_modulus_n_m2: Option<f64>,
 }

@@ -56,18 +56,18 @@ pub(super) fn find_irregularities(model: &Model) -> Vec<Finding> {
     let mut by_class: BTreeMap<&str, usize> = BTreeMap::new();
     for irregularity in &model.irregularities {
         match irregularity {
-            Irregularity::TakenByName { owner, class, text, taken, line, .. } => {
+            Irregularity::TakenByName { owner, class, text, taken, position, .. } => {
                 let text =
                     format!("'{text}' of {owner} leads nowhere; took {taken}, the only one of that name");
                 let index = *by_class.entry(class).or_insert_with(|| {
-                    found.push(Finding::at(&CONNECTEE_BY_NAME, *line, text.clone()).with_place(owner));
+                    found.push(Finding::at(&CONNECTEE_BY_NAME, *position, text.clone()).with_place(owner));
                     found.len() - 1
                 });
                 if let Some(finding) = found.get_mut(index) {
                     finding.details.push(text);
                 }
             }
-            Irregularity::LeadsNowhere { owner, socket, text, line } => {
+            Irregularity::LeadsNowhere { owner, socket, text, position } => {
                 let text = match text.as_str() {
                     "" => format!(
                         "{socket} of {owner} is empty or missing, expected the path of a body or frame"
@@ -76,13 +76,13 @@ pub(super) fn find_irregularities(model: &Model) -> Vec<Finding> {
                         format!("{socket} of {owner} is '{text}', and no component has that path or name")
                     }
                 };
-                found.push(Finding::at(&SOCKET_NOWHERE, *line, text).with_place(owner));
+                found.push(Finding::at(&SOCKET_NOWHERE, *position, text).with_place(owner));
             }
-            Irregularity::MisnamedSet { force, name, line } => {
+            Irregularity::MisnamedSet { force, name, position } => {
                 let text = format!(
                     "{force}: the parameter set is called '{name}', so OpenSim reads no parameters at all; call it contact_parameters"
                 );
-                found.push(Finding::at(&MISNAMED_PARAMETER_SET, *line, text).with_place(force));
+                found.push(Finding::at(&MISNAMED_PARAMETER_SET, *position, text).with_place(force));
             }
         }
     }
@@ -139,10 +139,10 @@ pub(super) fn find_contact_defaults(model: &Model) -> Vec<Finding> {
             if tree.children(default).next().is_none() {
                 continue;
             }
-            let line = document.line(tree.span(default).start);
+            let position = document.position_of(default);
             let text =
                 format!("<defaults> holds a {}: OpenSim keeps it for models loaded later", class.tag());
-            found.push(Finding::at(&CONTACT_DEFAULTS, line, text));
+            found.push(Finding::at(&CONTACT_DEFAULTS, position, text));
         }
     }
     found
@@ -188,12 +188,12 @@ pub(super) fn find_unknown_class(model: &Model) -> Vec<Finding> {
         let tree = document.tree();
         let text = tree.slice(tree.span(element));
         if text.contains("<HuntCrossleyForce ") || text.contains("<SmoothSphereHalfSpaceForce ") {
-            let line = document.line(tree.span(element).start);
+            let position = document.position_of(element);
             let text = format!(
                 "contacts inside a <{}> are not changed: OpenSim does not know that class",
                 tree.name(element)
             );
-            found.push(Finding::at(&UNKNOWN_CLASS, line, text));
+            found.push(Finding::at(&UNKNOWN_CLASS, position, text));
         }
     }
     found
@@ -232,7 +232,7 @@ fn find_not_hertz(model: &Model, id: ComponentId, carriers: &[ComponentId]) -> O
         true => model.describe_other_carriers()?,
         false => format!("{path} is of the class {tag}: it is not changed"),
     };
-    Some(Finding::at(&NOT_HERTZ, components.line(id), text).with_place(&path))
+    Some(Finding::at(&NOT_HERTZ, components.position_of(id), text).with_place(&path))
 }
 
 rule! { pub(super) DUPLICATE_NAMES: DuplicateNames, Warning;
@@ -255,7 +255,7 @@ fn find_duplicate_name(model: &Model, id: ComponentId, object: &Component) -> Op
     is_named.then(|| {
         let path = components.tree.path(id);
         let text = format!("'{unnumbered}' appears twice: OpenSim calls this one {path}");
-        Finding::at(&DUPLICATE_NAMES, components.line(id), text).with_place(&path)
+        Finding::at(&DUPLICATE_NAMES, components.position_of(id), text).with_place(&path)
     })
 }
 
@@ -275,7 +275,7 @@ fn find_refused_name(model: &Model, id: ComponentId, object: &Component) -> Opti
     let written = (components.tag(id) == "Body").then(|| components.name(id)).filter(|name| !name.is_empty());
     let why = refuse_name_in_paths(written.as_deref().unwrap_or(name_in_paths)).err()?;
     let path = components.tree.path(id);
-    Some(Finding::at(&REFUSED_NAME, components.line(id), why.to_string()).with_place(&path))
+    Some(Finding::at(&REFUSED_NAME, components.position_of(id), why.to_string()).with_place(&path))
 }
 
 rule! { pub(super) LOOP_OF_JOINTS: LoopOfJoints, Warning;
@@ -291,7 +291,7 @@ const MOST_JOINTS_NAMED: usize = 6;
 
 pub(super) fn find_loop_of_joints(model: &Model) -> Vec<Finding> {
     let (components, skeleton) = (model.components(), model.skeleton());
-    let finding = |joint, text| Finding::at(&LOOP_OF_JOINTS, components.line(joint), text);
+    let finding = |joint, text| Finding::at(&LOOP_OF_JOINTS, components.position_of(joint), text);
     let ignored = skeleton.ignored_joints().iter().map(|&joint| {
         let text =
             format!("{} is not the first joint of its body: OpenSim ignores it", components.tree.path(joint));

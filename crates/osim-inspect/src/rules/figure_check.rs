@@ -58,11 +58,15 @@ impl<'l> FigureCheck<'l> {
             (some, total) if some == total => format!("all {total} spheres"),
             (some, total) => format!("{some} of {total} spheres, most in {}", worst.sphere),
         };
-        let line =
-            self.inspected.spheres.iter().find(|sphere| sphere.path == worst.path).map(|sphere| sphere.line);
+        let position = self
+            .inspected
+            .spheres
+            .iter()
+            .find(|sphere| sphere.path == worst.path)
+            .map(|sphere| sphere.position);
         let finding = Finding::new(rule, format!("{text} ({which})")).with_place(&worst.path);
         let finding = finding.with_measure(affected.largest, "");
-        finding.with_line(line).with_spheres(all.iter().map(|sphere| sphere.sphere.clone()).collect())
+        finding.with_position(position).with_spheres(all.iter().map(|sphere| sphere.sphere.clone()).collect())
     }
 
     /// A finding about spheres. Its place is the force that presses the worst sphere, because the parameters of this force can be changed.
@@ -77,7 +81,7 @@ impl<'l> FigureCheck<'l> {
             sphere.forces.contains(&force.name) && force.spheres.contains(&sphere.sphere)
         };
         match self.inspected.forces.iter().find(presses) {
-            Some(force) => finding.with_place(&force.path).with_line(Some(force.line)),
+            Some(force) => finding.with_place(&force.path).with_position(Some(force.position)),
             None => finding,
         }
     }

@@ -32,7 +32,7 @@ fn turned_finding(judged: &JudgedPlane, rule: &'static Rule, degrees: f64) -> Op
         three_significant(degrees),
         surface.level_orientation.map(readable).join(" "),
     );
-    Some(Finding::at(rule, orientation.line, text).with_place(&plane.path))
+    Some(Finding::at(rule, orientation.position, text).with_place(&plane.path))
 }
 
 rule! { pub(super) FLOOR_UPSIDE_DOWN: FloorUpsideDown, Error, Floor;
@@ -83,7 +83,7 @@ fn on_limb_finding(judged: &JudgedPlane) -> Option<Finding> {
         shown(body),
         frame.ground,
     );
-    Some(Finding::at(&FLOOR_ON_LIMB, frame.line, text).with_place(&plane.path))
+    Some(Finding::at(&FLOOR_ON_LIMB, frame.position, text).with_place(&plane.path))
 }
 
 rule! { pub(super) FLOOR_SLOPES: FloorSlopes, Remark, Floor;
@@ -106,7 +106,7 @@ fn slope_finding(judged: &JudgedPlane) -> Option<Finding> {
         three_significant(degrees),
         readable((1e4 * degrees.to_radians().cos()).round() / 1e4),
     );
-    Some(Finding::at(&FLOOR_SLOPES, plane.line, text).with_place(&plane.path))
+    Some(Finding::at(&FLOOR_SLOPES, plane.position, text).with_place(&plane.path))
 }
 
 rule! { pub(super) FLOOR_STEP: FloorStep, Remark, Floor;
@@ -142,7 +142,7 @@ pub(super) fn find_step(floors: &Floors) -> Vec<Finding> {
         let mm = four_significant(1e3 * height_m.abs());
         let word = if height_m > 0.0 { "higher" } else { "lower" };
         let text = format!("{} is {mm} mm {word} than {}", shown(&plane.name), shown(&first.name));
-        Finding::at(&FLOOR_STEP, plane.line, text).with_place(&plane.path)
+        Finding::at(&FLOOR_STEP, plane.position, text).with_place(&plane.path)
     };
     largest.map(finding).into_iter().collect()
 }
@@ -165,7 +165,7 @@ pub(crate) fn find_no_gravity(
     // The caller may also have given a gravity for the figures.
     let fact = MissingFact::Gravity { purpose: GravityFor::Figures };
     let is_missing = gravity.or(inspected.figures.gravity_m_s2).is_none() && are_floors();
-    is_missing.then(|| Finding::new(&NO_GRAVITY, fact.phrase()).with_line(model.gravity_line()))
+    is_missing.then(|| Finding::new(&NO_GRAVITY, fact.phrase()).with_position(model.gravity_position()))
 }
 
 rule! { pub(crate) GRAVITY_TOO_LARGE: GravityTooLarge, Error, Floor;
@@ -195,7 +195,7 @@ pub(crate) fn find_too_large(model: &Model) -> Option<Finding> {
         let metres = gravity.map(|value| readable(value / unit)).join(" ");
         text.push_str(&format!("; write <gravity>{metres}</gravity>"));
     }
-    Some(Finding::new(&GRAVITY_TOO_LARGE, text).with_line(model.gravity_line()))
+    Some(Finding::new(&GRAVITY_TOO_LARGE, text).with_position(model.gravity_position()))
 }
 
 /// Gravity on planets and moons on which a body can stand, m/s²: from a small moon to more than any solid planet.
@@ -221,7 +221,7 @@ pub(crate) fn find_odd_gravity(model: &Model, floors: &Floors) -> Option<Finding
         return None;
     }
     let text = format!("gravity is {} m/s2, that of the Earth 9.81 m/s2", readable(size));
-    let finding = Finding::new(&ODD_GRAVITY, text).with_line(model.gravity_line());
+    let finding = Finding::new(&ODD_GRAVITY, text).with_position(model.gravity_position());
     Some(if of_a_place { finding.with_severity(Severity::Remark) } else { finding })
 }
 
@@ -252,7 +252,7 @@ fn not_down_finding(model: &Model, judged: &JudgedPlane) -> Option<Finding> {
         shown(&judged.plane.name),
         down.to_array().map(readable).join(" "),
     );
-    Some(Finding::new(&GRAVITY_NOT_DOWN, text).with_line(model.gravity_line()))
+    Some(Finding::new(&GRAVITY_NOT_DOWN, text).with_position(model.gravity_position()))
 }
 
 rule! { pub(crate) GRAVITY_SOURCES_DISAGREE: GravitySourcesDisagree, Warning, Mass;

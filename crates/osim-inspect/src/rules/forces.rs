@@ -26,7 +26,7 @@ pub(super) fn about_forces(
     let found: Vec<(&Force, &ParameterSet, String)> = found.collect();
     let (force, set, text) = found.first()?;
     let more = and_others(found.len(), "another force, too", "other forces, too");
-    Some(Finding::at(rule, set.line, format!("{text}{more}")).with_place(&force.path))
+    Some(Finding::at(rule, set.position, format!("{text}{more}")).with_place(&force.path))
 }
 
 rule! { pub(super) SEVERAL_SPHERES_ONE_FORCE: SeveralSpheres, Remark, Solver;
@@ -44,7 +44,7 @@ pub(super) fn find_several_spheres_one_force(model: &Model) -> Vec<Finding> {
             force.spheres().into_iter().filter(|&s| model.sphere(s).is_some_and(|s| !s.fixed)).count();
         if matches!(force.kind, ForceKind::HuntCrossley) && moving > 1 {
             let text = format!("{} holds {moving} spheres: Simbody can drop the force of some", force.path);
-            found.push(Finding::at(&SEVERAL_SPHERES_ONE_FORCE, force.line, text).with_place(&force.path));
+            found.push(Finding::at(&SEVERAL_SPHERES_ONE_FORCE, force.position, text).with_place(&force.path));
         }
     }
     found
@@ -65,7 +65,7 @@ pub(super) fn find_sphere_in_two_forces(model: &Model) -> Vec<Finding> {
     let finding = |(sphere, forces): (&Sphere, Vec<&Force>)| {
         let paths: Vec<&str> = forces.iter().map(|force| force.path.as_str()).collect();
         let text = format!("sphere {} meets the ground through {}", sphere.path, paths.join(" and "));
-        Finding::at(&SPHERE_IN_TWO_FORCES, sphere.line, text).with_place(&sphere.path)
+        Finding::at(&SPHERE_IN_TWO_FORCES, sphere.position, text).with_place(&sphere.path)
     };
     shared.map(finding).collect()
 }
@@ -216,7 +216,7 @@ pub(super) fn find_moco_dialect(model: &Model) -> Vec<Finding> {
     let inside_forces = model.spheres().iter().filter(|sphere| sphere.is_inside_force());
     let finding = |sphere: &Sphere| {
         let text = format!("{} keeps its sphere inside: OpenSim 4.2 and later cannot read it", sphere.path);
-        Finding::at(&MOCO_DIALECT, sphere.line, text).with_place(&sphere.path)
+        Finding::at(&MOCO_DIALECT, sphere.position, text).with_place(&sphere.path)
     };
     inside_forces.map(finding).collect()
 }
@@ -259,9 +259,9 @@ pub(super) fn find_dead_derivative_smoothing(model: &Model) -> Vec<Finding> {
     for force in model.forces().iter().filter(|force| !keeps_sphere_inside(model, force)) {
         let document = model.file(force.file);
         if let Some(dead) = document.tree().child(force.element(), "derivative_smoothing") {
-            let line = document.line(document.tree().span(dead).start);
+            let position = document.position_of(dead);
             let text = format!("{}: derivative_smoothing is ignored by OpenSim", force.path);
-            found.push(Finding::at(&DEAD_DERIVATIVE_SMOOTHING, line, text).with_place(&force.path));
+            found.push(Finding::at(&DEAD_DERIVATIVE_SMOOTHING, position, text).with_place(&force.path));
         }
     }
     found

@@ -131,9 +131,9 @@ pub(super) fn find_no_friction_or_dissipation(model: &Model) -> Vec<Finding> {
         values.any(|value| value.origin != ValueOrigin::ClassDefault)
     };
     let no_friction = (is_written(Property::StaticFriction) && are_all_below(&frictions, f64::MIN_POSITIVE))
-        .then(|| Finding::at(&NO_FRICTION, first.line, "all coefficients of friction are 0"));
+        .then(|| Finding::at(&NO_FRICTION, first.position, "all coefficients of friction are 0"));
     let no_dissipation = are_all_below(&[Property::Dissipation], LEAST_DISSIPATION_S_M).then(|| {
-        Finding::at(&NO_DISSIPATION, first.line, "the dissipation of all contacts is 0 s/m or nearly 0")
+        Finding::at(&NO_DISSIPATION, first.position, "the dissipation of all contacts is 0 s/m or nearly 0")
     });
     no_friction.into_iter().chain(no_dissipation).map(|finding| finding.with_place(&first.path)).collect()
 }

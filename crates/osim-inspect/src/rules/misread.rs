@@ -31,8 +31,8 @@ pub(super) fn find_in_values(model: &Model) -> Vec<Finding> {
     let masses = model.bodies().iter().map(|body| (body.path.as_str(), body.file, &body.mass));
     let finding = |(path, file, value): (&str, FileId, &Value)| {
         let (rule, text) = VALUE_RULES.iter().find_map(|(rule, describe)| Some((*rule, describe(value)?)))?;
-        let line = model.file(file).line(value.offset);
-        Some(Finding::at(rule, line, format!("{} of {path} {text}", value.property)).with_place(path))
+        let position = model.file(file).position(value.offset);
+        Some(Finding::at(rule, position, format!("{} of {path} {text}", value.property)).with_place(path))
     };
     parameters.chain(radii).chain(masses).filter_map(finding).collect()
 }
@@ -173,8 +173,8 @@ pub(super) fn find_in_texts(model: &Model) -> Vec<Finding> {
                 };
                 if let Some((rule, text)) = misread_text(document, element, of_text, (form, default)) {
                     let path = path_of_part(document, path(), component.element, element);
-                    let line = document.line(tree.span(of_text).start);
-                    let finding = Finding::at(rule, line, format!("{property} of {path} {text}"));
+                    let position = document.position_of(of_text);
+                    let finding = Finding::at(rule, position, format!("{property} of {path} {text}"));
                     found.push(if tag == "Model" { finding } else { finding.with_place(&path) });
                 }
             }

@@ -39,8 +39,8 @@ pub(super) fn find_massless_body(model: &Model) -> Vec<Finding> {
     let Some(first) = massless.first() else { return Vec::new() };
     let more = and_others(massless.len(), "another body, too", "other bodies, too");
     let text = format!("{} has a mass of 0 and an inertia{more}", shown(&first.name));
-    let line = model.file(first.file).line(first.mass.offset);
-    vec![Finding::at(&MASSLESS_BODY, line, text).with_place(&first.path)]
+    let position = model.file(first.file).position(first.mass.offset);
+    vec![Finding::at(&MASSLESS_BODY, position, text).with_place(&first.path)]
 }
 
 /// A default value may be outside its range by this much, rad or m, as in OpenSim.
@@ -78,9 +78,9 @@ pub(super) fn find_default_outside_range(model: &Model) -> Vec<Finding> {
         and_others(found.len(), "another coordinate, too", "other coordinates, too")
     );
     let document = model.file(joint.file);
-    let line = document.line(document.tree().span(worst.element).start);
+    let position = document.position_of(worst.element);
     let severity = if worst.clamped { Severity::Error } else { Severity::Warning };
-    vec![Finding::at(&DEFAULT_OUTSIDE_RANGE, line, text).with_severity(severity)]
+    vec![Finding::at(&DEFAULT_OUTSIDE_RANGE, position, text).with_severity(severity)]
 }
 
 rule! { pub(super) DEFAULT_STIFFNESS: DefaultStiffness, Error, Mass;
@@ -98,7 +98,7 @@ pub(super) fn find_default_stiffness(model: &Model) -> Vec<Finding> {
         for set in &force.sets {
             if let Some(value) = set.value(Property::Stiffness).filter(|value| is_default_stiffness(value)) {
                 let text = format!("{}: stiffness is OpenSim's default, {} N/m2", force.path, value.number);
-                found.push(Finding::at(&DEFAULT_STIFFNESS, set.line, text).with_place(&force.path));
+                found.push(Finding::at(&DEFAULT_STIFFNESS, set.position, text).with_place(&force.path));
             }
         }
     }
@@ -129,10 +129,10 @@ pub(super) fn find_zero_constant_contact_force(model: &Model) -> Vec<Finding> {
         let zero =
             force.value(SetId::FIRST, Property::ConstantContactForce).filter(|value| value.number == 0.0);
         if let Some(value) = zero {
-            let line = model.file(force.file).line(value.offset);
+            let position = model.file(force.file).position(value.offset);
             let text =
                 format!("{}: constant_contact_force is 0: OpenSim computes NaN without slip", force.path);
-            found.push(Finding::at(&ZERO_CONSTANT_CONTACT_FORCE, line, text).with_place(&force.path));
+            found.push(Finding::at(&ZERO_CONSTANT_CONTACT_FORCE, position, text).with_place(&force.path));
         }
     }
     found
@@ -164,12 +164,12 @@ pub(super) fn find_angle_in_degrees(model: &Model) -> Vec<Finding> {
 fn find_degrees_in(orientation: &Orientation) -> Option<Finding> {
     let angles = orientation.angles_rad.filter(|_| orientation.is_in_degrees())?;
     let listed = |angles: [f64; 3]| angles.map(readable).join(" ");
-    let Orientation { path, tag, line, .. } = orientation;
+    let Orientation { path, tag, position, .. } = orientation;
     let text = format!(
         "{tag} of {} is {} rad, more than a whole turn: expected radians; for these degrees write <{tag}>{}</{tag}>",
         shown(path),
         listed(angles),
         listed(angles.map(f64::to_radians)),
     );
-    Some(Finding::at(&ANGLE_IN_DEGREES, *line, text).with_place(path))
+    Some(Finding::at(&ANGLE_IN_DEGREES, *position, text).with_place(path))
 }

@@ -268,7 +268,7 @@ fn misplaced_spheres(placement: &SpherePlacements, stayed: bool) -> Option<Findi
         ];
         Finding::new(&SPHERES_MISPLACED, text)
     };
-    let finding = finding.with_place(&worst.path).with_line(Some(worst.line)).with_details(details);
+    let finding = finding.with_place(&worst.path).with_position(Some(worst.position)).with_details(details);
     let finding = finding.with_measure(worst.distance_m(), distance);
     Some(finding.with_spheres(all.into_iter().map(|sphere| sphere.name.clone()).collect()))
 }

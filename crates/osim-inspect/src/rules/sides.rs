@@ -48,7 +48,7 @@ fn find_difference(
 ) -> Option<Finding> {
     let first = differences.iter().find(|difference| difference.is_small == is_small)?;
     let text = format!("{} and {} differ: {}", left.path, right.path, first.text);
-    Some(Finding::at(rule, left.line, text).with_place(&left.path))
+    Some(Finding::at(rule, left.position, text).with_place(&left.path))
 }
 
 /// The side with right contacts, if only one side has them: contacts of the reference that the caller names, or published ones from the

@@ -77,7 +77,7 @@ impl<'m> Limbs<'m> {
     fn finding(&self, rule: &'static Rule, body: &str, text: String) -> Option<Finding> {
         let (joint, components) = (self.above.get(body)?, self.model.components());
         let id = components.at(joint.file, joint.element)?;
-        Some(Finding::at(rule, components.line(id), text).with_place(&components.tree.path(id)))
+        Some(Finding::at(rule, components.position_of(id), text).with_place(&components.tree.path(id)))
     }
 
     /// One finding for all bodies that hang on the other side or on ground.

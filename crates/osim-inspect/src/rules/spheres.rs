@@ -17,7 +17,7 @@ pub(super) fn about_spheres<'s>(
     spheres: impl Iterator<Item = &'s Sphere> + Clone,
 ) -> Option<Finding> {
     let first = spheres.clone().next()?;
-    let finding = Finding::at(rule, first.line, text).with_place(&first.path);
+    let finding = Finding::at(rule, first.position, text).with_place(&first.path);
     Some(finding.with_spheres(spheres.map(|sphere| sphere.name.clone()).collect()))
 }
 
@@ -328,8 +328,8 @@ pub(super) fn find_heavy_foot(sides: &BothSides<'_>) -> Option<Finding> {
     let [foot_kg, kg] = [*foot_kg, *kg].map(three_significant);
     let text = format!("{} weighs {foot_kg} kg, more than {} ({kg} kg){more}", shown(foot), shown(above));
     let body = all.get(foot)?;
-    let line = sides.model.file(body.file).line(body.mass.offset);
-    Some(Finding::at(&HEAVY_FOOT, line, text).with_place(&body.path))
+    let position = sides.model.file(body.file).position(body.mass.offset);
+    Some(Finding::at(&HEAVY_FOOT, position, text).with_place(&body.path))
 }
 
 /// Spheres of one body are crowded if they extend over less than this part of the limb's longest bone. In the corpus they extend over 0.077

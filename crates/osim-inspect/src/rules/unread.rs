@@ -40,7 +40,7 @@ fn find_body_without_joint(model: &Model) -> Vec<Finding> {
     let path = components.tree.path(first);
     let others = and_others(bodies.len(), "another body, too", "other bodies, too");
     let text = format!("{path} has no joint: OpenSim refuses the model{others}");
-    vec![Finding::at(&BODY_WITHOUT_JOINT, components.line(first), text).with_place(&path)]
+    vec![Finding::at(&BODY_WITHOUT_JOINT, components.position_of(first), text).with_place(&path)]
 }
 
 rule! { pub(super) VERSION_AGAINST_FORM: OtherVersion, Error;
@@ -74,8 +74,12 @@ fn find_version_against_form(model: &Model) -> Vec<Finding> {
         ),
     };
     let finding = |joint| {
-        let line = document.line(tree.span(joint).start);
-        Finding::at(&VERSION_AGAINST_FORM, line, format!("the document says Version {version}, and {form}"))
+        let position = document.position_of(joint);
+        Finding::at(
+            &VERSION_AGAINST_FORM,
+            position,
+            format!("the document says Version {version}, and {form}"),
+        )
     };
     joint.map(finding).into_iter().collect()
 }
@@ -110,7 +114,7 @@ fn find_misplaced_objects(model: &Model) -> Vec<Finding> {
         let path = components.tree.path(id);
         let others = and_others(count, "another object, too", "other objects, too");
         let text = format!("a {} is in the {}: {path}{others}", components.tag(id), components.tag(set));
-        Finding::at(&MISPLACED_OBJECT, components.line(id), text).with_place(&path)
+        Finding::at(&MISPLACED_OBJECT, components.position_of(id), text).with_place(&path)
     };
     count_neighbours(misplaced).into_iter().map(finding).collect()
 }
@@ -171,7 +175,7 @@ fn find_ignored_in(model: &Model, file: FileId) -> Vec<Finding> {
         let others = and_others(count, "another object, too", "other objects, too");
         let place = place_in_words(document, parent);
         let text = format!("OpenSim does not read {} {}, {place}{others}", tree.name(first), shown(&name));
-        Finding::at(&IGNORED_CONTACTS, document.line(tree.span(first).start), text)
+        Finding::at(&IGNORED_CONTACTS, document.position_of(first), text)
     };
     count_neighbours(ignored).into_iter().map(finding).collect()
 }
@@ -239,7 +243,7 @@ fn about_unknown_name(
     let (name, span) = (document.tree().name(element), document.tree().span(element));
     let of = if path == "/" { "the model" } else { &path };
     let text = format!("the {what} {name} of {of} has a name that OpenSim does not know: {meant} is meant");
-    Finding::at(&UNKNOWN_NAME, document.line(span.start), text).with_place(&path)
+    Finding::at(&UNKNOWN_NAME, document.position(span.start), text).with_place(&path)
 }
 
 /// The path of the component that is, or is around, an element.
@@ -263,7 +267,7 @@ fn find_unknown_names_in(model: &Model, file: FileId) -> Vec<Finding> {
                 "isDisabled of {path} is true, but documents from version {} on have appliesForce instead: the force is on",
                 LAST_VERSION_WITH_IS_DISABLED + 1
             );
-            Finding::at(&UNKNOWN_NAME, document.line(tree.span(flag).start), text).with_place(&path)
+            Finding::at(&UNKNOWN_NAME, document.position_of(flag), text).with_place(&path)
         }));
         true
     });

@@ -96,7 +96,10 @@ fn codes_and_messages(tag: &str, text: &str) -> Vec<(&'static str, String)> {
         .iter()
         .filter(|finding| ["odd-number", "not-finite"].contains(&finding.code().as_str()));
     odd.map(|finding| {
-        assert_eq!(finding.line, Some(model[..model.find(&element).unwrap()].lines().count()));
+        let before = &model[..model.find(&element).unwrap()];
+        let at = finding.position.unwrap();
+        let column = before.lines().last().unwrap().len() + element.find('>').unwrap() + 2;
+        assert_eq!((at.line, at.column), (before.lines().count(), column));
         (finding.code().as_str(), finding.message.to_string())
     })
     .collect()

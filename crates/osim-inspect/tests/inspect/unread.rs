@@ -111,7 +111,7 @@ fn each_kind_is_reported_once_at_its_place() {
         if place.is_some() {
             assert_eq!(finding.place.as_deref(), place, "{new}");
         }
-        assert!(finding.line.is_some(), "{new}");
+        assert!(finding.position.is_some(), "{new}");
     }
 }
 
@@ -142,15 +142,19 @@ fn what_opensim_reads_is_not_reported() {
 }
 
 #[test]
-fn exchanged_and_empty_names_are_described() {
+fn exchanged_empty_and_misspelt_names_are_described() {
     let text = include_str!("../../../../fixtures/check/within_limits.osim");
     let (sphere, plane) = ("/contactgeometryset/heel_r<", "/contactgeometryset/floor<");
     let exchanged = text.replace(sphere, "@").replace(plane, sphere).replace('@', plane);
     let empty =
         text.replacen("<socket_frame>/bodyset/calcn_r</socket_frame>", "<socket_frame></socket_frame>", 1);
-    for (text, words) in
-        [(exchanged, "the sockets of sphere and half-space are exchanged"), (empty, "is empty")]
-    {
+    let misspelt =
+        text.replace("<ContactSphere ", "<ContactSpere ").replace("</ContactSphere>", "</ContactSpere>");
+    for (text, words) in [
+        (exchanged, "the sockets of sphere and half-space are exchanged"),
+        (empty, "is empty"),
+        (misspelt, "OpenSim does not read the ContactSpere that '/contactgeometryset/heel_r' names, in line"),
+    ] {
         let fault = Model::parse(text).unwrap_err();
         assert_eq!(fault.code(), "unresolved");
         assert!(fault.to_string().contains(words), "{fault}");

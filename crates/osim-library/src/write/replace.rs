@@ -153,6 +153,8 @@ impl PendingFile {
     /// Another program made a file of this name in the meantime, which may not be replaced, or the folder cannot be changed.
     pub fn commit(self) -> Result<(), LibraryFault> {
         let durable = self.replaces;
+        // The system dates files by a clock that is some ms late: the file would seem older than a run that began just before.
+        let _ = self.temporary.as_file().set_modified(SystemTime::now());
         let (target, shown) = (self.target, self.shown.display());
         let result = if self.replaces {
             self.temporary.persist(&target)
@@ -305,5 +307,23 @@ pub(super) fn sync_folder_of(path: &Path) {
     // Windows cannot open folders, and needs no synchronisation after a rename. A failure is harmless.
     if let Ok(folder) = file_access::open_folder(folder_of(path)) {
         let _ = folder.sync_all();
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_file_is_of_another_run_if_it_was_written_since_the_start() {
+        let dir = tempfile::tempdir().unwrap();
+        for number in 0..100 {
+            let path = dir.path().join(number.to_string());
+            let start = SystemTime::now();
+            PendingFile::new(&path, b"new", None, WriteMode::NewSince(start)).unwrap().commit().unwrap();
+            let (later, written) = (SystemTime::now(), path.metadata().unwrap());
+            assert!(WriteMode::NewSince(start).is_of_other_run(&written), "file {number}");
+            assert!(!WriteMode::NewSince(later).is_of_other_run(&written), "file {number}");
+        }
     }
 }

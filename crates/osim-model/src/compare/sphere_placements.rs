@@ -7,7 +7,7 @@ use glam::DVec3;
 
 use super::follow::{Factors, ScaleFile};
 use crate::messages::{Input, Phrase, Verb};
-use crate::model::{Anatomy, AnatomySphere, Fault, LevelAxis, Model, Note, RadiusAxis, Step};
+use crate::model::{Anatomy, AnatomySphere, Fault, LevelAxis, Model, Note, RadiusAxis, Step, TextPosition};
 
 /// Two places are equal if they differ by no more than this, m.
 const SAME_PLACE_M: f64 = 1e-6;
@@ -43,8 +43,8 @@ pub struct SpherePlacements {
 pub struct PlacedSphere {
     pub name: String,
     pub path: String,
-    /// Line of the sphere's element, from 1.
-    pub line: usize,
+    /// Place of the sphere's element.
+    pub position: TextPosition,
     pub here_m: [f64; 3],
     /// Place of the sphere in the unscaled model.
     pub was_m: [f64; 3],
@@ -203,7 +203,7 @@ fn placed_spheres(
         PlacedSphere {
             name: sphere.name.clone(),
             path: sphere.path.clone(),
-            line: sphere.line,
+            position: sphere.position,
             here_m,
             was_m: old.location_m,
             belongs_m,

@@ -109,18 +109,14 @@ impl Document {
         self.defaults
     }
 
-    fn lines(&self) -> &LineIndex {
-        self.lines.get_or_init(|| LineIndex::new(self.bytes()))
-    }
-
-    /// Line (from 1) of the byte `offset` (from 0).
-    pub fn line(&self, offset: usize) -> usize {
-        self.lines().line(self.bytes(), offset)
-    }
-
     /// Line and column (from 1) of the byte `offset` (from 0).
     pub fn position(&self, offset: usize) -> TextPosition {
-        self.lines().position(self.bytes(), offset)
+        self.lines.get_or_init(|| LineIndex::new(self.bytes())).position(self.bytes(), offset)
+    }
+
+    /// Line and column of the start tag of `element`.
+    pub fn position_of(&self, element: ElementId) -> TextPosition {
+        self.position(self.tree.span(element).start)
     }
 
     /// The effective value of `property` of `object`, from the element `tag`: the object's own element, else `<defaults>`, else the default

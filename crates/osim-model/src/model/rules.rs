@@ -81,7 +81,7 @@ fn find_disabled_force(force: &Force) -> Option<Finding> {
         "{} is switched off: it is changed with the others, and its spheres are not counted",
         force.path
     );
-    (!force.applies).then(|| Finding::at(&DISABLED_FORCE, force.line, text).with_place(&force.path))
+    (!force.applies).then(|| Finding::at(&DISABLED_FORCE, force.position, text).with_place(&force.path))
 }
 
 /// The warning that all `count` contact forces are switched off.
@@ -90,7 +90,7 @@ fn all_disabled(first: &Force, count: usize) -> Finding {
         1 => format!("{}, the only contact force, is switched off: nothing carries the model", first.path),
         _ => format!("all {count} contact forces are switched off: nothing carries the model"),
     };
-    let finding = Finding::at(&DISABLED_FORCE, first.line, text).with_place(&first.path);
+    let finding = Finding::at(&DISABLED_FORCE, first.position, text).with_place(&first.path);
     finding.with_severity(Severity::Warning)
 }
 
@@ -114,7 +114,7 @@ fn find_mixed_radii(model: &Model, force: &Force) -> Option<Finding> {
         let differ = radii.next().is_some_and(|first| radii.any(|radius| radius != first));
         let text =
             format!("{} has pairs of different R1 R2/(R1 + R2): the mean of its square is used", force.path);
-        return differ.then(|| Finding::at(&MIXED_RADII, force.line, text).with_place(&force.path));
+        return differ.then(|| Finding::at(&MIXED_RADII, force.position, text).with_place(&force.path));
     }
     let set = force.sets.iter().find(|set| {
         let spheres = set.spheres.iter().filter_map(|&id| model.sphere(id));
@@ -122,7 +122,7 @@ fn find_mixed_radii(model: &Model, force: &Force) -> Option<Finding> {
         radii.next().is_some_and(|first| radii.any(|radius| radius != first))
     })?;
     let text = format!("{} has spheres of different radii: the mean of R squared is used", force.path);
-    Some(Finding::at(&MIXED_RADII, set.line, text).with_place(&force.path))
+    Some(Finding::at(&MIXED_RADII, set.position, text).with_place(&force.path))
 }
 
 rule! { SEVERAL_PARAMETER_SETS: SeveralParameterSets, Remark;
@@ -136,7 +136,7 @@ rule! { SEVERAL_PARAMETER_SETS: SeveralParameterSets, Remark;
 fn find_several_parameter_sets(force: &Force) -> Option<Finding> {
     let used = force.sets.iter().filter(|set| !set.spheres.is_empty() || set.half_spaces > 0).count();
     let text = format!("{} has {} ContactParameters: all get the same factor", force.path, force.sets.len());
-    (used > 1).then(|| Finding::at(&SEVERAL_PARAMETER_SETS, force.line, text).with_place(&force.path))
+    (used > 1).then(|| Finding::at(&SEVERAL_PARAMETER_SETS, force.position, text).with_place(&force.path))
 }
 
 rule! { FACTORS_DISAGREE: FactorsDisagree, Warning;

@@ -38,6 +38,13 @@ pub struct TextPosition {
     pub column: usize,
 }
 
+/// In words, such as `line 12, column 5`.
+impl std::fmt::Display for TextPosition {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "line {}, column {}", self.line, self.column)
+    }
+}
+
 /// Finds line and column of a byte offset. What is before each block of a file is counted once, what is inside a block at each search.
 ///
 /// Counting is much cheaper than storing every line end, because lines are asked for at few places only.
@@ -66,12 +73,6 @@ impl LineIndex {
             before
         });
         Self { blocks: blocks.collect() }
-    }
-
-    /// The line (from 1) that contains byte `offset` of `bytes`. These must be the bytes for which the index was built.
-    pub fn line(&self, bytes: &[u8], offset: usize) -> usize {
-        let (before, inside) = self.counted_and_rest(bytes, offset);
-        before.line_ends + line_ends(inside) + 1
     }
 
     /// Line and column of byte `offset` of `bytes`. These must be the bytes for which the index was built.

@@ -216,7 +216,7 @@ fn composite_finding(
         let kind = FaultKind::StrictlyRefused { text };
         return Err(Fault::new(kind).at_element(force.path.clone()));
     }
-    Ok(Finding::at(&rules::COMPOSITE_SURFACES, force.line, text).with_place(&force.path))
+    Ok(Finding::at(&rules::COMPOSITE_SURFACES, force.position, text).with_place(&force.path))
 }
 
 /// The edit that replaces `force` by one force for each pair, and the new objects.

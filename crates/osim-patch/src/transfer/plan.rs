@@ -241,7 +241,7 @@ fn check_factor_spread(
         if wanted.strict {
             return Err(Fault::new(FaultKind::StrictlyRefused { text }).at_element(force.path.clone()));
         }
-        plan.findings.push(Finding::at(&rules::FACTOR_SPREAD, force.line, text));
+        plan.findings.push(Finding::at(&rules::FACTOR_SPREAD, force.position, text));
     }
     Ok(())
 }

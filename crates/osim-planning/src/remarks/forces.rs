@@ -97,10 +97,10 @@ pub(crate) fn findings_on_smoothing(model: &Model) -> Vec<Finding> {
         .collect()
 }
 
-/// The finding without its line, for a model that is not written yet, and with advice for this call instead of a remedy.
+/// The finding without its place, for a model that is not written yet, and with advice for this call instead of a remedy.
 fn with_advice(found: FindingWithRemedy) -> Finding {
     let FindingWithRemedy { mut finding, remedy, .. } = found;
-    finding.line = None;
+    finding.position = None;
     finding.message.push(": smooth less with ");
     finding.message.push(Input::ConstantContactForce.with_placeholder("M2"));
     let design = remedy.and_then(|remedy| match remedy {

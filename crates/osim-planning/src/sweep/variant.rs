@@ -169,7 +169,8 @@ fn failure_of_number(open: &OpenModel, finding: &FindingWithRemedy) -> Option<Fa
         _ => return None,
     };
     Some(Failure {
-        line: finding.line,
+        line: finding.position.map(|at| at.line),
+        column: finding.position.map(|at| at.column),
         ..Failure::outside(open.name().clone(), code, finding.message.clone())
     })
 }

@@ -4,7 +4,7 @@ use crate::checks::{check_foot, check_text, check_with, codes, find, has, messag
 use crate::feet::{SOLE, SmoothContact, foot};
 use osim_inspect::{Changeable, CheckResult, InspectOptions, Stance, check_model};
 use osim_model::files::FileName;
-use osim_model::{Finding, FindingCode, Model, Severity};
+use osim_model::{Finding, FindingCode, Model, Severity, TextPosition};
 use osim_planning::check_with_trials;
 use osim_planning::try_what_can_change;
 use osim_requests::Request;
@@ -190,6 +190,10 @@ fn each_finding_has_the_value_of_its_figure_and_the_limit() {
     }
 }
 
+fn line(finding: &Finding) -> Option<usize> {
+    finding.position.map(|at| at.line)
+}
+
 /// The number of the line with `text` in `model`, from 1.
 fn line_of(model: &str, text: &str) -> Option<usize> {
     model.lines().position(|line| line.contains(text)).map(|index| index + 1)
@@ -208,7 +212,7 @@ fn a_finding_about_several_spheres_is_placed_at_the_worst_and_names_all() {
             .ends_with("sink in 0.25 R, and Hertz theory holds up to 0.16 R (2 of 3 spheres, most in toe_r)")
     );
     assert_eq!(deep.place.as_deref(), Some("/contactgeometryset/toe_r"));
-    assert_eq!(deep.line, line_of(&foot(&spheres), "<ContactSphere name=\"toe_r\""));
+    assert_eq!(line(deep), line_of(&foot(&spheres), "<ContactSphere name=\"toe_r\""));
     assert_eq!(deep.spheres, ["heel_r", "toe_r"]);
 }
 
@@ -228,7 +232,7 @@ fn a_finding_about_parameters_is_placed_at_the_force() {
     let result = check_foot(&spheres);
     let damped = find(&result, FindingCode::BeyondHuntCrossley);
     assert_eq!(damped.place.as_deref(), Some("/forceset/contact_toe_r"));
-    assert_eq!(damped.line, line_of(&foot(&spheres), "name=\"contact_toe_r\""));
+    assert_eq!(line(damped), line_of(&foot(&spheres), "name=\"contact_toe_r\""));
     assert_eq!(damped.spheres, ["toe_r"]);
 }
 
@@ -239,7 +243,7 @@ fn the_line_of_a_finding_is_that_of_the_parameter_set_of_the_sphere() {
     let damped = find(&result, FindingCode::BeyondHuntCrossley);
     assert_eq!(damped.place.as_deref(), Some("/forceset/contact_r"));
     assert_eq!(
-        damped.line,
+        line(damped),
         line_of(MODEL_OF_THREE_MATERIALS, "<geometry>heel_r</geometry>").map(|line| line - 1)
     );
 }
@@ -311,7 +315,8 @@ fn the_worst_comes_first_and_each_severity_is_counted() {
 fn findings_of_one_kind_are_in_the_order_of_their_lines() {
     let model = Model::parse(foot(&[SOLE])).unwrap();
     let inspected = InspectOptions::default().inspect("model.osim", &model, None);
-    let on = |line| Finding::at(rule(FindingCode::DisabledForce), line, "it is off");
+    let position = |line| TextPosition { offset: line, line, column: 1 };
+    let on = |line| Finding::at(rule(FindingCode::DisabledForce), position(line), "it is off");
     assert_eq!(
         CheckResult::new(&model, &inspected, vec![on(31).into(), on(7).into()]).findings,
         [on(7).into(), on(31).into()]

@@ -206,7 +206,7 @@ fn seen_contacts(model: &Model) -> String {
         (force.path.clone(), force.applies, sets, values.map(number).collect::<Vec<_>>())
     };
     let findings: Vec<Finding> =
-        model_findings(model).iter().map(|one| one.clone().with_line(None)).collect();
+        model_findings(model).iter().map(|one| one.clone().with_position(None)).collect();
     let spheres: Vec<_> = model.spheres().iter().map(sphere).collect();
     let forces: Vec<_> = model.forces().iter().map(force).collect();
     let of_note = (&model.note, model.doubt_about_note());

@@ -308,7 +308,7 @@ fn list_of_findings(topics: &mut Topics, plan: &Plan) -> Markup {
             ul.findings { @for finding in new { li { p {
                 (severity_tag(finding.severity)) " " (topics.link_to_finding(finding.code())) " "
                 (finding.message.to_string()) "."
-                @if let Some(line) = finding.line { " " span.quiet { "line " (line) } }
+                @if let Some(position) = finding.position { " " span.quiet { (position) } }
             } } } }
         }
     }

@@ -139,11 +139,11 @@ fn item_of_finding(
         p {
             (severity_tag(finding.severity)) " " (fragment.topics.link_to_finding(finding.code())) " "
             (message) "."
-            @if place.is_some() || finding.line.is_some() {
+            @if place.is_some() || finding.position.is_some() {
                 " " span.quiet {
                     @if let Some(place) = place { (place) }
-                    @if place.is_some() && finding.line.is_some() { ", " }
-                    @if let Some(line) = finding.line { "line " (line) (file) }
+                    @if place.is_some() && finding.position.is_some() { ", " }
+                    @if let Some(position) = finding.position { (position) (file) }
                 }
             }
         }

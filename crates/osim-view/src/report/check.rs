@@ -230,11 +230,11 @@ fn explanations(found: &CheckResult, layout: Layout) -> String {
         let Some(first) = alike.first() else { continue };
         text.push_str(&format!("\n{} {}\n", severity(first.severity, layout.colour), first.code()));
         for finding in alike {
-            let line = finding.line.map(|line| format!("line {line}: ")).unwrap_or_default();
+            let position = finding.position.map(|at| format!("{at}: ")).unwrap_or_default();
             let message = finding.message.to_string();
             let place = finding.place.as_deref().filter(|place| !message.contains(*place));
             let place = place.map(|place| format!("{place}: ")).unwrap_or_default();
-            text.push_str(&layout.wrapped(&format!("  {line}{place}{message}"), "    "));
+            text.push_str(&layout.wrapped(&format!("  {position}{place}{message}"), "    "));
             for detail in &finding.details {
                 text.push_str(&layout.wrapped(&format!("    {detail}"), "      "));
             }
@@ -455,7 +455,8 @@ fn painted_rows(text: &str, layout: Layout) -> String {
 
 // Findings as CSV: one row each.
 
-const COLUMNS: [&str; 8] = ["model", "severity", "code", "place", "line", "spheres", "message", "command"];
+const COLUMNS: [&str; 9] =
+    ["model", "severity", "code", "place", "line", "column", "spheres", "message", "command"];
 
 /// The rows of one model as CSV; with a header before them if `header` is true. The texts of `found` are already in the words of the front
 /// end.
@@ -470,7 +471,8 @@ pub fn csv_rows(found: &CheckResult, header: bool) -> Result<String, csv::Error>
             finding.severity.as_str().to_owned(),
             finding.code().as_str().to_owned(),
             finding.place.clone().unwrap_or_default(),
-            finding.line.map(|line| line.to_string()).unwrap_or_default(),
+            finding.position.map(|at| at.line.to_string()).unwrap_or_default(),
+            finding.position.map(|at| at.column.to_string()).unwrap_or_default(),
             finding.spheres.join(" "),
             finding.message.to_string(),
             finding.command.clone().unwrap_or_default(),

@@ -4,15 +4,15 @@ use osim_inspect::MassMismatch;
 use osim_model::messages::{Dialect, one_line};
 use osim_model::{Finding, FindingCode, Severity};
 
-/// The findings, one on each line: `warning: line 12: message [code]`. Findings that the model had before the change share one line with
+/// The findings, one on each line: `warning: line 12, column 5: message [code]`. Findings that the model had before the change share one line with
 /// their codes.
 pub(crate) fn finding_lines(findings: &[Finding]) -> String {
     let mut text = String::new();
     let (before, new): (Vec<&Finding>, Vec<&Finding>) = findings.iter().partition(|one| one.had_before);
     for finding in new {
-        let line = finding.line.map(|line| format!("line {line}: ")).unwrap_or_default();
+        let place = finding.position.map(|at| format!("{at}: ")).unwrap_or_default();
         let severity = finding.severity.as_str();
-        text.push_str(&format!("{severity}: {line}{} [{}]\n", finding.message, finding.code()));
+        text.push_str(&format!("{severity}: {place}{} [{}]\n", finding.message, finding.code()));
     }
     let severities = [Severity::Error, Severity::Warning, Severity::Remark];
     let of_severity = severities.into_iter().filter_map(|severity| {

@@ -10,7 +10,7 @@ use std::borrow::Cow;
 
 use crate::model::components::classes::CountedSets;
 use crate::model::{Document, Fault, FaultKind, FileId};
-use crate::xml::ElementId;
+use crate::xml::{ElementId, TextPosition};
 pub use classes::component_classes;
 pub use tree::{Component, ComponentId, ComponentTree};
 
@@ -287,18 +287,18 @@ impl Components {
         let mut found = None;
         tree.walk(self.document(file).data_root(), |id| {
             let is_meant = found.is_none()
-                && self.at(file, id).is_none()
-                && tree.attribute(id, "name").is_some_and(|own| own == name);
+                && tree.attribute(id, "name").is_some_and(|own| own == name)
+                && (self.at(file, id).is_none() || !classes::is_component_class(tree.name(id)));
             found = found.or(is_meant.then_some(id));
             found.is_none()
         });
-        let line = |id| self.document(file).line(tree.span(id).start);
+        let line = |id| self.document(file).position_of(id).line;
         found.map(|id| (line(id), tree.name(id).to_owned()))
     }
 
-    /// Line of an object's start tag in its file.
-    pub fn line(&self, id: ComponentId) -> usize {
-        self.doc(id).line(self.doc(id).tree().span(self.element(id)).start)
+    /// Place of an object's start tag in its file.
+    pub fn position_of(&self, id: ComponentId) -> TextPosition {
+        self.doc(id).position_of(self.element(id))
     }
 }
 

@@ -8,7 +8,7 @@ use crate::messages::named;
 use crate::model::components::{Carrier, ComponentId};
 use crate::model::fault::{Fault, FileId};
 use crate::model::property::{Class, Property, Value};
-use crate::xml::ElementId;
+use crate::xml::{ElementId, TextPosition};
 
 /// Handle of a contact sphere in its [`Model`](crate::model::Model), in file order.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -79,7 +79,7 @@ pub struct Sphere {
     /// Whether the sphere is on ground or on a body welded to ground. Such a sphere is left out of all calculations and never changed.
     pub fixed: bool,
     /// Line of the sphere's element, from 1.
-    pub line: usize,
+    pub position: TextPosition,
     pub file: FileId,
     pub(crate) element: ElementId,
     /// First byte of the sphere's element.
@@ -195,7 +195,7 @@ pub struct Force {
     /// The `transition_velocity` of the force itself, not of a parameter set.
     pub transition_velocity: Value,
     /// Line of the force's element, from 1.
-    pub line: usize,
+    pub position: TextPosition,
     pub file: FileId,
     pub(crate) element: ElementId,
 }
@@ -217,7 +217,7 @@ pub struct ParameterSet {
     /// Whether the whole set is in `<defaults>`, so that several forces share it.
     pub inherited: bool,
     /// Line of the set's element, from 1.
-    pub line: usize,
+    pub position: TextPosition,
     pub(crate) element: ElementId,
     pub(crate) class: Class,
     pub(crate) half_space_bases: Vec<Carrier>,

@@ -7,7 +7,7 @@ use crate::model::contacts::force::Slot;
 use crate::model::fault::FileId;
 use crate::model::placement::Rotation;
 use crate::model::property::Class;
-use crate::xml::ElementId;
+use crate::xml::{ElementId, TextPosition};
 
 /// Components of a unit vector below this are rounding errors.
 const ROUNDING_OF_NORMAL: f64 = 1e-12;
@@ -36,7 +36,7 @@ pub struct HalfSpace {
     pub frame: FrameProperty,
     pub file: FileId,
     /// Line of the half-space's element, from 1.
-    pub line: usize,
+    pub position: TextPosition,
     pub element: ElementId,
     /// The place of the half-space's location in its file.
     pub(crate) location_slot: Slot,
@@ -48,7 +48,7 @@ pub struct FrameProperty {
     /// Name of the XML element, such as `socket_frame`.
     pub tag: String,
     /// Line of the element, from 1.
-    pub line: usize,
+    pub position: TextPosition,
     /// The text that the element needs for a half-space on ground.
     pub ground: &'static str,
 }
@@ -80,7 +80,7 @@ impl HalfSpace {
         let above = offsets.map(|frame| Orientation::read(components, frame, "orientation", [0.0; 3]));
         let tag = document.tree().name(connectee.element).to_owned();
         let frame_property = FrameProperty {
-            line: document.line(document.tree().span(connectee.element).start),
+            position: document.position_of(connectee.element),
             ground: if connectee.legacy { "ground" } else { "/ground" },
             tag,
         };
@@ -100,7 +100,7 @@ impl HalfSpace {
             orientations: std::iter::once(own_orientation).chain(above).collect(),
             frame: frame_property,
             file: components.file_of(id),
-            line: components.line(id),
+            position: components.position_of(id),
             element,
             location_slot: location_slot(components, id, location),
             component: id,
@@ -165,8 +165,8 @@ pub struct Orientation {
     /// Component path of the half-space or frame that has this orientation.
     pub path: String,
     pub tag: &'static str,
-    /// Line of the orientation's element, from 1; without such an element, the line of its object.
-    pub line: usize,
+    /// Place of the orientation's element; without such an element, of its object.
+    pub position: TextPosition,
     pub file: FileId,
     /// Body-fixed angles about x, y and z, rad; `None` if a number cannot be read.
     pub angles_rad: Option<[f64; 3]>,
@@ -198,13 +198,12 @@ impl Orientation {
     ) -> Self {
         let (document, element) = (components.doc(id), components.element(id));
         let property = document.property_element(element, tag);
-        let at = property
-            .map_or_else(|| components.line(id), |own| document.line(document.tree().span(own).start));
+        let at = property.map_or_else(|| components.position_of(id), |own| document.position_of(own));
         let angles_rad = match property {
             Some(_) => document.triple(element, tag),
             None => Some(otherwise),
         };
-        Self { path: components.tree.path(id), tag, line: at, file: components.file_of(id), angles_rad }
+        Self { path: components.tree.path(id), tag, position: at, file: components.file_of(id), angles_rad }
     }
 }
 
@@ -236,7 +235,7 @@ mod tests {
         let turned_about_z = |z: f64| Orientation {
             path: "/contactgeometryset/floor".to_owned(),
             tag: "orientation",
-            line: 1,
+            position: TextPosition { offset: 0, line: 1, column: 1 },
             file: FileId::MAIN,
             angles_rad: Some([0.0, 0.0, z]),
         };

@@ -31,7 +31,7 @@ impl ContactReader<'_> {
     }
 
     fn record_socket(&mut self, id: ComponentId, socket: &'static str, legacy: &[&str]) {
-        let (text, line) = match self.components.connectee(id, socket, legacy) {
+        let (text, position) = match self.components.connectee(id, socket, legacy) {
             Some(connectee) => match self.components.frame_of(id, &connectee) {
                 Some(found) if found.by_name => {
                     return self.record_component_taken_by_name(id, &connectee, found.component);
@@ -39,8 +39,8 @@ impl ContactReader<'_> {
                 Some(_) => return,
                 None => {
                     let document = self.components.doc(id);
-                    let line = document.line(document.tree().span(connectee.element).start);
-                    (connectee.text, line)
+                    let position = document.position_of(connectee.element);
+                    (connectee.text, position)
                 }
             },
             None => {
@@ -49,11 +49,11 @@ impl ContactReader<'_> {
                 if empty.is_none() && document.version() < FIRST_VERSION_WITH_SOCKETS {
                     return;
                 }
-                (String::new(), document.line(document.tree().span(empty.unwrap_or(element)).start))
+                (String::new(), document.position_of(empty.unwrap_or(element)))
             }
         };
         let owner = self.components.tree.path(id);
-        self.irregularities.push(Irregularity::LeadsNowhere { owner, socket, text, line });
+        self.irregularities.push(Irregularity::LeadsNowhere { owner, socket, text, position });
     }
 
     pub(super) fn record_component_taken_by_name(
@@ -77,7 +77,7 @@ impl ContactReader<'_> {
             text: connectee.text.clone(),
             taken: if connectee.legacy { name } else { path },
             socket: is_whole.then_some(element),
-            line: document.line(document.tree().span(element).start),
+            position: document.position_of(element),
         });
     }
 
@@ -87,8 +87,8 @@ impl ContactReader<'_> {
         if let Some(set) = set {
             let name = tree.attribute(set, "name").unwrap_or_default().into_owned();
             let force = self.components.tree.path(id);
-            let line = document.line(tree.span(set).start);
-            self.irregularities.push(Irregularity::MisnamedSet { force, name, line });
+            let position = document.position_of(set);
+            self.irregularities.push(Irregularity::MisnamedSet { force, name, position });
         }
     }
 }

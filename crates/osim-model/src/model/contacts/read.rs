@@ -10,8 +10,8 @@ use crate::model::document::Document;
 use crate::model::fault::{Fault, FaultKind};
 use crate::model::property::{Class, Property, Value};
 use crate::model::skeleton::Skeleton;
-use crate::xml::ElementId;
 use crate::xml::opensim_text::{self, is_disabled};
+use crate::xml::{ElementId, TextPosition};
 
 /// The frame to which a contact geometry is attached.
 struct GeometryFrame {
@@ -122,7 +122,7 @@ impl<'r> ContactReader<'r> {
             frame,
             body,
             fixed: self.skeleton.is_fixed(base),
-            line: self.components.line(id),
+            position: self.components.position_of(id),
             file: self.components.file_of(id),
             element,
             start: document.tree().span(element).start,
@@ -331,7 +331,7 @@ impl<'r> ContactReader<'r> {
             half_spaces: 0,
             other_surfaces: vec![],
             values: class.parameters().iter().map(value).collect(),
-            line: document.line(document.tree().span(element).start),
+            position: document.position_of(element),
             element,
             class,
             half_space_bases: vec![],
@@ -357,7 +357,7 @@ impl<'r> ContactReader<'r> {
             applies,
             sets,
             transition_velocity,
-            line: self.components.line(id),
+            position: self.components.position_of(id),
             file: self.components.file_of(id),
             element: self.components.element(id),
         });
@@ -443,7 +443,7 @@ pub enum Irregularity {
         taken: String,
         /// The element of the main file whose whole text is the path, if a new text can replace it.
         socket: Option<ElementId>,
-        line: usize,
+        position: TextPosition,
     },
     /// The socket of a joint, or of a frame, leads to no component.
     LeadsNowhere {
@@ -453,7 +453,7 @@ pub enum Irregularity {
         socket: &'static str,
         /// The path as the file writes it; empty if there is none.
         text: String,
-        line: usize,
+        position: TextPosition,
     },
     /// The parameter set of a force has a `name` for which OpenSim does not look.
     MisnamedSet {
@@ -461,6 +461,6 @@ pub enum Irregularity {
         force: String,
         /// Name of the parameter set.
         name: String,
-        line: usize,
+        position: TextPosition,
     },
 }

@@ -5,6 +5,7 @@ mod code;
 use contact_scaling::limits;
 
 use crate::messages::{Dialect, Phrase};
+use crate::xml::TextPosition;
 pub use code::{FindingCode, Severity, VerdictOn};
 
 /// One case in which a rule applies to a model or a change, with its place and message.
@@ -37,8 +38,8 @@ pub struct Finding {
     pub place: Option<String>,
     /// Names of all spheres in question; empty if the finding is not about spheres.
     pub spheres: Vec<String>,
-    /// Line in the model, from 1; `None` if there is no single line.
-    pub line: Option<usize>,
+    /// Place in the model's file; `None` if there is no single place.
+    pub position: Option<TextPosition>,
     /// For the result of a change: whether the model before the change, or the reference, already has this finding.
     pub had_before: bool,
     /// A sentence for each component in question, if there is more to say than its name.
@@ -66,15 +67,15 @@ impl Finding {
             advice: rule.advice(),
             place: None,
             spheres: Vec::new(),
-            line: None,
+            position: None,
             had_before: false,
             details: Vec::new(),
             measure: None,
         }
     }
 
-    pub fn at(rule: &'static Rule, line: usize, message: impl Into<Phrase>) -> Self {
-        Self { line: Some(line), ..Self::new(rule, message) }
+    pub fn at(rule: &'static Rule, position: TextPosition, message: impl Into<Phrase>) -> Self {
+        Self { position: Some(position), ..Self::new(rule, message) }
     }
 
     pub fn code(&self) -> FindingCode {
@@ -85,8 +86,8 @@ impl Finding {
         Self { place: Some(path.to_owned()), ..self }
     }
 
-    pub fn with_line(self, line: Option<usize>) -> Self {
-        Self { line, ..self }
+    pub fn with_position(self, position: Option<TextPosition>) -> Self {
+        Self { position, ..self }
     }
 
     pub fn with_spheres(self, spheres: Vec<String>) -> Self {
