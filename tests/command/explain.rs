@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
-use osim_model::Question;
+use osim_model::YesQuestion;
 use serde_json::Value;
 
 use crate::support::{TestDir, root};
@@ -155,7 +155,7 @@ fn error_code_in(arguments: &str) -> Option<String> {
 
 #[test]
 fn every_error_code_can_be_explained() {
-    let mut raised: BTreeSet<String> = Question::ALL.iter().map(ToString::to_string).collect();
+    let mut raised: BTreeSet<String> = YesQuestion::ALL.iter().map(ToString::to_string).collect();
     for (_, text) in source_files(&CRATES_WITH_ERRORS) {
         let code = text.split("#[cfg(test)]").next().unwrap();
         raised.extend(code.split("Failure::outside(").skip(1).filter_map(error_code_in));

@@ -9,7 +9,7 @@ const TRANSFER_FROM_ITSELF: &str = "transfer human.osim --from human.osim --refe
 /// A reference gravity of 9.81/4 m/s², so that γ = 4 and γ^-1/2 = 1/2.
 const OPTION_FOR_QUARTER_GRAVITY: &str = "--reference-gravity 2.4525";
 /// The relative rounding error of 9.81 divided by 2.4525.
-const RELATIVE_TOLERANCE: f64 = 4e-16;
+const RELATIVE_ROUNDING_ERROR: f64 = 4e-16;
 
 /// The planned new values of each force, by property: E₁*, α, bv.
 #[track_caller]
@@ -33,7 +33,7 @@ fn assert_scaled_to_fourfold_gravity(report: &str) {
         assert_eq!(values.len(), 12, "{property}: {planned:?}");
         for value in values {
             assert!(
-                (value / expected - 1.0).abs() <= RELATIVE_TOLERANCE,
+                (value / expected - 1.0).abs() <= RELATIVE_ROUNDING_ERROR,
                 "{property}: {value}, not {expected}"
             );
         }

@@ -57,14 +57,14 @@ fn the_pictures_are_those_that_the_commands_draw() {
         }
     }
     for (page, least) in [("docs/plots.md", 8), ("docs/add.md", 2), ("docs/tutorial.md", 2)] {
-        let count = assert_pictures_of_page(&dir, page);
+        let count = assert_pictures_of_page_are_current(&dir, page);
         assert!(count >= least, "{page} draws {count} figures");
     }
 }
 
 /// Runs the calls of a page that write files, in their order, and compares the written pictures.
 #[track_caller]
-fn assert_pictures_of_page(dir: &TestDir, page: &str) -> usize {
+fn assert_pictures_of_page_are_current(dir: &TestDir, page: &str) -> usize {
     let text = std::fs::read_to_string(root().join(page)).unwrap();
     let overwrite = std::env::var("PLOTS").is_ok_and(|value| value == "overwrite");
     let mut count = 0;

@@ -2,11 +2,11 @@
 
 use std::borrow::Cow;
 
-use crate::error::{DomainError, non_negative, positive};
+use crate::error::{DomainError, require_non_negative, require_positive};
 use crate::{Ratios, Scale, ScaleValues, SmoothingValues};
 
 /// 2^(3/2), without unit: E₁* of each of two equal surfaces divided by their composite E*, by OpenSim's mixing rule (A.3), (A.4).
-pub const EQUAL_SURFACES: f64 = 2.0 * std::f64::consts::SQRT_2;
+pub const SURFACE_OVER_COMPOSITE_MODULUS: f64 = 2.0 * std::f64::consts::SQRT_2;
 
 /// The parameters of one contact, by name and not yet checked.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -38,12 +38,12 @@ impl Contact {
     /// # Errors
     /// [`DomainError`] unless E₁* > 0, α ≥ 0, cf ≥ 0, bd > 0 and bv > 0, all finite.
     pub fn new(values: ContactValues) -> Result<Self, DomainError> {
-        positive("plane strain modulus", values.plane_strain_modulus)?;
-        non_negative("dissipation", values.dissipation)?;
+        require_positive("plane strain modulus", values.plane_strain_modulus)?;
+        require_non_negative("dissipation", values.dissipation)?;
         if let Some(smoothing) = values.smoothing {
-            non_negative("constant contact force", smoothing.constant_contact_force)?;
-            positive("hertz smoothing", smoothing.hertz_smoothing)?;
-            positive("hunt crossley smoothing", smoothing.hunt_crossley_smoothing)?;
+            require_non_negative("constant contact force", smoothing.constant_contact_force)?;
+            require_positive("hertz smoothing", smoothing.hertz_smoothing)?;
+            require_positive("hunt crossley smoothing", smoothing.hunt_crossley_smoothing)?;
         }
         Ok(Self(values))
     }
@@ -65,7 +65,7 @@ impl Contact {
 
     /// E* = E₁* / 2^(3/2), in N/m² (A.4).
     pub fn composite_modulus(&self) -> f64 {
-        self.plane_strain_modulus() / EQUAL_SURFACES
+        self.plane_strain_modulus() / SURFACE_OVER_COMPOSITE_MODULUS
     }
 
     /// α, in s/m: OpenSim's `dissipation`.
@@ -124,10 +124,10 @@ impl Friction {
     /// # Errors
     /// [`DomainError`] unless the coefficients and the transition velocity are finite and 0 or above.
     pub fn new(values: FrictionValues) -> Result<Self, DomainError> {
-        non_negative("static friction", values.static_friction)?;
-        non_negative("dynamic friction", values.dynamic_friction)?;
-        non_negative("viscous friction", values.viscous_friction)?;
-        non_negative("transition velocity", values.transition_velocity)?;
+        require_non_negative("static friction", values.static_friction)?;
+        require_non_negative("dynamic friction", values.dynamic_friction)?;
+        require_non_negative("viscous friction", values.viscous_friction)?;
+        require_non_negative("transition velocity", values.transition_velocity)?;
         Ok(Self(values))
     }
 

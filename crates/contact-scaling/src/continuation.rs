@@ -4,7 +4,7 @@
 //! with compliant contacts. Then E* is raised and α lowered step by step; each solution is the initial guess for the next
 //! optimisation.
 
-use crate::error::{DomainError, positive, require};
+use crate::error::{DomainError, require_positive, require_range};
 
 /// The contact for one optimisation of a series, as factors of the final contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -39,8 +39,8 @@ pub const MOST_STEPS: u32 = 100_000;
 /// # Ok::<(), contact_scaling::DomainError>(())
 /// ```
 pub fn modulus_ratio(stiffness_a: f64, stiffness_b: f64) -> Result<f64, DomainError> {
-    let a = positive("dimensionless stiffness", stiffness_a)?;
-    let ratio = a / positive("dimensionless stiffness", stiffness_b)?;
+    let a = require_positive("dimensionless stiffness", stiffness_a)?;
+    let ratio = a / require_positive("dimensionless stiffness", stiffness_b)?;
     Ok(ratio * ratio.sqrt())
 }
 
@@ -63,17 +63,17 @@ pub fn modulus_ratio(stiffness_a: f64, stiffness_b: f64) -> Result<f64, DomainEr
 /// # Ok::<(), contact_scaling::DomainError>(())
 /// ```
 pub fn steps(first: f64, last: f64, dissipation_ratio: f64, count: u32) -> Result<Vec<Step>, DomainError> {
-    let last = positive("dimensionless stiffness of the last step", last)?;
-    let first = positive("dimensionless stiffness of the first step", first)?;
-    require(
+    let last = require_positive("dimensionless stiffness of the last step", last)?;
+    let first = require_positive("dimensionless stiffness of the first step", first)?;
+    require_range(
         first < last,
         "dimensionless stiffness of the first step",
         first,
         "less than that of the last step",
     )?;
-    let ratio = positive("ratio of the dissipations", dissipation_ratio)?;
-    require(ratio >= 1.0, "ratio of the dissipations", ratio, "1 or more")?;
-    require((2..=MOST_STEPS).contains(&count), "number of steps", f64::from(count), "2 to 100000")?;
+    let ratio = require_positive("ratio of the dissipations", dissipation_ratio)?;
+    require_range(ratio >= 1.0, "ratio of the dissipations", ratio, "1 or more")?;
+    require_range((2..=MOST_STEPS).contains(&count), "number of steps", f64::from(count), "2 to 100000")?;
     (0..count).map(|index| step_at(first / last, last, ratio, index, count)).collect()
 }
 

@@ -4,13 +4,13 @@
 //! [`crate::modulus::of_equal_surfaces`].
 
 use crate::SharedLoad;
-use crate::error::{DomainError, positive, require};
+use crate::error::{DomainError, require_positive, require_range};
 use crate::hertz::depth;
 
 /// `relative_indentation`, if 0 < x̂ ≤ 1.
 fn checked_indentation(relative_indentation: f64) -> Result<f64, DomainError> {
     let ok = relative_indentation > 0.0 && relative_indentation <= 1.0;
-    require(ok, "relative indentation", relative_indentation, "a number above 0, at most 1")
+    require_range(ok, "relative indentation", relative_indentation, "a number above 0, at most 1")
 }
 
 /// Composite modulus with which spheres have the relative indentation x̂ under a load, E* = 3 F / (4 R² x̂^(3/2) n), in N/m².
@@ -33,7 +33,7 @@ pub fn composite_modulus(
     relative_indentation: f64,
     load: &SharedLoad,
 ) -> Result<f64, DomainError> {
-    let radius = positive("sphere radius", radius_m)?;
+    let radius = require_positive("sphere radius", radius_m)?;
     let x = checked_indentation(relative_indentation)?;
     Ok(0.75 * load.per_sphere_n() / (radius * radius * (x * x.sqrt())))
 }
@@ -59,8 +59,8 @@ pub fn relative_indentation(
     radius_m: f64,
     load: &SharedLoad,
 ) -> Result<f64, DomainError> {
-    let modulus = positive("composite modulus", composite_modulus_n_m2)?;
-    let radius = positive("sphere radius", radius_m)?;
+    let modulus = require_positive("composite modulus", composite_modulus_n_m2)?;
+    let radius = require_positive("sphere radius", radius_m)?;
     Ok(relative_depth(load.per_sphere_n(), modulus, radius))
 }
 
@@ -89,7 +89,7 @@ pub fn radius_for_stiffness(
     relative_indentation: f64,
     load: &SharedLoad,
 ) -> Result<f64, DomainError> {
-    let k = positive("contact stiffness", stiffness_n_m)?;
+    let k = require_positive("contact stiffness", stiffness_n_m)?;
     Ok(1.5 * load.per_sphere_n() / (k * checked_indentation(relative_indentation)?))
 }
 
@@ -112,8 +112,8 @@ pub fn composite_modulus_for_stiffness(
     radius_m: f64,
     relative_indentation: f64,
 ) -> Result<f64, DomainError> {
-    let k = positive("contact stiffness", stiffness_n_m)?;
-    let radius = positive("sphere radius", radius_m)?;
+    let k = require_positive("contact stiffness", stiffness_n_m)?;
+    let radius = require_positive("sphere radius", radius_m)?;
     Ok(k / (2.0 * radius * checked_indentation(relative_indentation)?.sqrt()))
 }
 

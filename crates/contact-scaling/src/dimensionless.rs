@@ -1,6 +1,6 @@
 //! Dimensionless contacts: the parameters that are equal in two similar contacts.
 
-use crate::{Contact, ContactValues, EQUAL_SURFACES, Scale, SmoothingValues, design};
+use crate::{Contact, ContactValues, SURFACE_OVER_COMPOSITE_MODULUS, Scale, SmoothingValues, design};
 
 /// The parameters of a contact, made dimensionless with a [`Scale`].
 ///
@@ -108,7 +108,7 @@ impl DimensionlessContact {
         let radius = scale.radius_m();
         let speed = scale.speed_m_s();
         Contact::unchecked(ContactValues {
-            plane_strain_modulus: self.modulus * EQUAL_SURFACES * scale.load_per_sphere_n()
+            plane_strain_modulus: self.modulus * SURFACE_OVER_COMPOSITE_MODULUS * scale.load_per_sphere_n()
                 / (radius * radius),
             dissipation: self.dissipation / speed,
             smoothing: self.smoothing.map(|s| SmoothingValues {

@@ -3,7 +3,7 @@
 //! The spheres touch one plane. Either their bottoms are at one height, so that all have the same indentation x, whatever their
 //! radii; or the bottoms are at different heights ([`RaisedSpheres`]).
 
-use crate::error::{DomainError, positive, require};
+use crate::error::{DomainError, require_positive, require_range};
 use crate::hertz::depth;
 use crate::{Law, Spheres};
 
@@ -23,9 +23,9 @@ use crate::{Law, Spheres};
 /// # Ok::<(), contact_scaling::DomainError>(())
 /// ```
 pub fn hertz_indentation(spheres: &[Spheres], load_n: f64) -> Result<f64, DomainError> {
-    let load = positive("load", load_n)?;
+    let load = require_positive("load", load_n)?;
     let sum: f64 = spheres.iter().map(|s| s.count() * s.law().hertz().coefficient()).sum();
-    Ok(depth(load, positive("sum of force coefficients", sum)?))
+    Ok(depth(load, require_positive("sum of force coefficients", sum)?))
 }
 
 /// Indentation at equilibrium by the contact laws themselves, Σ F_i(x, 0) = F, in m.
@@ -73,7 +73,7 @@ pub fn indentation(spheres: &[Spheres], load_n: f64) -> Result<f64, DomainError>
 /// # Ok::<(), contact_scaling::DomainError>(())
 /// ```
 pub fn hertz_indentation_of_lowest(spheres: &[RaisedSpheres], load_n: f64) -> Result<f64, DomainError> {
-    let load = positive("load", load_n)?;
+    let load = require_positive("load", load_n)?;
     let force = |x: f64| -> f64 {
         let one = |s: &RaisedSpheres| {
             s.spheres.count() * s.spheres.law().hertz().coefficient() * (x - s.height_m).max(0.0).powf(1.5)
@@ -82,8 +82,9 @@ pub fn hertz_indentation_of_lowest(spheres: &[RaisedSpheres], load_n: f64) -> Re
     };
     // As deep as if all were as high as the highest.
     let sum: f64 = spheres.iter().map(|s| s.spheres.count() * s.spheres.law().hertz().coefficient()).sum();
-    let deepest = highest_bottom_m(spheres) + depth(load, positive("sum of force coefficients", sum)?);
-    require(deepest.is_finite(), "load", load_n, "a load that the spheres can carry")?;
+    let deepest =
+        highest_bottom_m(spheres) + depth(load, require_positive("sum of force coefficients", sum)?);
+    require_range(deepest.is_finite(), "load", load_n, "a load that the spheres can carry")?;
     // For a guess, which needs no last bit, a root is quicker than a power. From the deep side Newton's steps stay there: the force
     // rises ever more.
     let summed = |x: f64, force_shape: fn(f64) -> f64| -> f64 {
@@ -142,7 +143,7 @@ impl RaisedSpheres {
     /// # Errors
     /// [`DomainError`] unless the height is finite and not below 0.
     pub fn new(spheres: Spheres, height_m: f64) -> Result<Self, DomainError> {
-        require(height_m.is_finite() && height_m >= 0.0, "height", height_m, "finite and not below 0")?;
+        require_range(height_m.is_finite() && height_m >= 0.0, "height", height_m, "finite and not below 0")?;
         Ok(Self { spheres, height_m })
     }
 }
@@ -215,7 +216,7 @@ fn first_equilibrium(spheres: &[RaisedSpheres], load_n: f64, hertz: f64) -> Resu
         below += stride;
         stride *= 2.0;
     }
-    require(below.is_finite() && !carried(above), "load", load_n, "a load that the spheres can carry")?;
+    require_range(below.is_finite() && !carried(above), "load", load_n, "a load that the spheres can carry")?;
     let guess = newton_root(
         hertz.max(above).min(below),
         |x| sum(&|law, x| law.rest_force(x), x) - load_n,

@@ -37,7 +37,7 @@ impl DomainError {
 }
 
 /// `value`, if the condition `ok` of the caller is true; else an error with the `expected` range.
-pub(crate) fn require(
+pub(crate) fn require_range(
     ok: bool,
     quantity: &'static str,
     value: f64,
@@ -47,23 +47,23 @@ pub(crate) fn require(
 }
 
 /// Returns `value` if it is finite, else an error with the name of the quantity.
-pub(crate) fn finite(quantity: &'static str, value: f64) -> Result<f64, DomainError> {
-    require(value.is_finite(), quantity, value, "a finite number")
+pub(crate) fn require_finite(quantity: &'static str, value: f64) -> Result<f64, DomainError> {
+    require_range(value.is_finite(), quantity, value, "a finite number")
 }
 
 /// `value`, if it is finite and above 0.
-pub(crate) fn positive(quantity: &'static str, value: f64) -> Result<f64, DomainError> {
-    require(value.is_finite() && value > 0.0, quantity, value, "a finite number above 0")
+pub(crate) fn require_positive(quantity: &'static str, value: f64) -> Result<f64, DomainError> {
+    require_range(value.is_finite() && value > 0.0, quantity, value, "a finite number above 0")
 }
 
 /// `value`, if it is finite and not below 0.
-pub(crate) fn non_negative(quantity: &'static str, value: f64) -> Result<f64, DomainError> {
-    require(value.is_finite() && value >= 0.0, quantity, value, "a finite number, 0 or above")
+pub(crate) fn require_non_negative(quantity: &'static str, value: f64) -> Result<f64, DomainError> {
+    require_range(value.is_finite() && value >= 0.0, quantity, value, "a finite number, 0 or above")
 }
 
 /// `value`, if it is finite and not below 1.
-pub(crate) fn at_least_one(quantity: &'static str, value: f64) -> Result<f64, DomainError> {
-    require(value.is_finite() && value >= 1.0, quantity, value, "a finite number, 1 or above")
+pub(crate) fn require_at_least_one(quantity: &'static str, value: f64) -> Result<f64, DomainError> {
+    require_range(value.is_finite() && value >= 1.0, quantity, value, "a finite number, 1 or above")
 }
 
 #[cfg(test)]
@@ -72,7 +72,7 @@ mod tests {
 
     #[test]
     fn the_message_has_the_value_and_the_expected_range() {
-        let error = positive("sphere radius", -0.5).unwrap_err();
+        let error = require_positive("sphere radius", -0.5).unwrap_err();
         assert_eq!(error.to_string(), "sphere radius is -0.5, expected a finite number above 0");
         assert_eq!((error.quantity(), error.value()), ("sphere radius", -0.5));
         assert_eq!(error.expected(), "a finite number above 0");
@@ -81,17 +81,17 @@ mod tests {
     #[test]
     fn numbers_that_are_not_finite_are_refused() {
         for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
-            assert!(positive("q", value).is_err());
-            assert!(non_negative("q", value).is_err());
-            assert!(at_least_one("q", value).is_err());
+            assert!(require_positive("q", value).is_err());
+            assert!(require_non_negative("q", value).is_err());
+            assert!(require_at_least_one("q", value).is_err());
         }
     }
 
     #[test]
     fn bounds_are_allowed_only_in_closed_domains() {
-        assert!(positive("q", 0.0).is_err());
-        assert_eq!(non_negative("q", 0.0), Ok(0.0));
-        assert_eq!(at_least_one("q", 1.0), Ok(1.0));
-        assert!(at_least_one("q", 0.999).is_err());
+        assert!(require_positive("q", 0.0).is_err());
+        assert_eq!(require_non_negative("q", 0.0), Ok(0.0));
+        assert_eq!(require_at_least_one("q", 1.0), Ok(1.0));
+        assert!(require_at_least_one("q", 0.999).is_err());
     }
 }

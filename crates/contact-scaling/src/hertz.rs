@@ -1,7 +1,7 @@
 //! The Hertz law of a sphere, (1) to (3), (B.1), (B.2), and the law of Hunt and Crossley (12), which adds dissipation.
 
 use crate::Contact;
-use crate::error::{DomainError, non_negative, positive};
+use crate::error::{DomainError, require_non_negative, require_positive};
 
 /// The values of the Hertz law of one sphere, by name and not yet checked.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -31,11 +31,11 @@ impl Hertz {
     /// # Errors
     /// [`DomainError`] unless E*, R and η are finite and above 0.
     pub fn new(values: HertzValues) -> Result<Self, DomainError> {
-        positive("composite modulus", values.composite_modulus)?;
-        positive("sphere radius", values.radius_m)?;
-        positive("shape factor", values.shape_factor)?;
+        require_positive("composite modulus", values.composite_modulus)?;
+        require_positive("sphere radius", values.radius_m)?;
+        require_positive("shape factor", values.shape_factor)?;
         let coefficient = 4.0 / 3.0 * values.shape_factor * values.radius_m.sqrt() * values.composite_modulus;
-        positive("force coefficient", coefficient)?;
+        require_positive("force coefficient", coefficient)?;
         Ok(Self { values, coefficient })
     }
 
@@ -153,7 +153,7 @@ impl Hertz {
     /// # Ok::<(), contact_scaling::DomainError>(())
     /// ```
     pub fn indentation_from_force(&self, force_n: f64) -> Result<f64, DomainError> {
-        Ok(depth(non_negative("force", force_n)?, self.coefficient))
+        Ok(depth(require_non_negative("force", force_n)?, self.coefficient))
     }
 
     /// Stiffness k = ∂F_e/∂x = 2 η √R E* √x, in N/m.
@@ -216,7 +216,7 @@ impl HuntCrossley {
     /// # Errors
     /// [`DomainError`] unless α is finite and 0 or above.
     pub fn new(hertz: Hertz, dissipation: f64) -> Result<Self, DomainError> {
-        Ok(Self { hertz, dissipation: non_negative("dissipation", dissipation)? })
+        Ok(Self { hertz, dissipation: require_non_negative("dissipation", dissipation)? })
     }
 
     /// The Hunt–Crossley law of a sphere of radius R (m) with the parameters `contact` of a model file; its smoothing is

@@ -1,6 +1,6 @@
 //! The common type of the two contact laws, and the spheres of a body.
 
-use crate::error::positive;
+use crate::error::require_positive;
 use crate::{Contact, DomainError, Hertz, HuntCrossley, SmoothSphere};
 
 /// The normal force of one sphere, by the force class of the model.
@@ -116,7 +116,7 @@ impl Spheres {
     /// # Errors
     /// [`DomainError`] unless the count is finite and above 0.
     pub fn new(law: Law, count: f64) -> Result<Self, DomainError> {
-        Ok(Self { law, count: positive("number of spheres", count)? })
+        Ok(Self { law, count: require_positive("number of spheres", count)? })
     }
 
     /// The law of each sphere.

@@ -56,8 +56,8 @@ pub mod stiffness;
 pub mod table1;
 
 pub use contact::{
-    Contact, ContactValues, EQUAL_SURFACES, Friction, FrictionValues, Preset, falisse2022, moco_3d_walking,
-    osim_rl, preset, preset_names,
+    Contact, ContactValues, Friction, FrictionValues, Preset, SURFACE_OVER_COMPOSITE_MODULUS, falisse2022,
+    moco_3d_walking, osim_rl, preset, preset_names,
 };
 pub use dimensionless::DimensionlessContact;
 pub use equations::Equation;

@@ -3,7 +3,7 @@
 use std::fmt;
 
 /// Relative amount by which a figure may exceed a limit because of rounding, without unit.
-const LAST_BITS: f64 = 1e-9;
+const ROUNDING_ALLOWANCE: f64 = 1e-9;
 
 /// The side of a limit on which values are allowed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -48,8 +48,8 @@ impl Limit {
     /// Whether `figure` is within the limit, or beyond it by at most 1e-9 of the limit; false for NaN.
     pub fn admits(&self, figure: f64) -> bool {
         match self.bound {
-            Bound::AtMost => figure <= self.value * (1.0 + LAST_BITS),
-            Bound::AtLeast => figure >= self.value * (1.0 - LAST_BITS),
+            Bound::AtMost => figure <= self.value * (1.0 + ROUNDING_ALLOWANCE),
+            Bound::AtLeast => figure >= self.value * (1.0 - ROUNDING_ALLOWANCE),
         }
     }
 

@@ -1,6 +1,6 @@
 //! Spheres of different radii with one common modulus.
 
-use crate::error::{DomainError, positive};
+use crate::error::{DomainError, require_positive};
 
 /// Mean of the squared radii, Σ R_i² / n, in m²: it replaces R² in (10) for spheres with one common `stiffness`.
 ///
@@ -21,10 +21,10 @@ pub fn mean_square(radii_m: &[f64]) -> Result<f64, DomainError> {
     let mut sum = 0.0;
     let mut count = 0.0;
     for &radius in radii_m {
-        sum += positive("sphere radius", radius)? * radius;
+        sum += require_positive("sphere radius", radius)? * radius;
         count += 1.0;
     }
-    Ok(sum / positive("number of spheres", count)?)
+    Ok(sum / require_positive("number of spheres", count)?)
 }
 
 #[cfg(test)]

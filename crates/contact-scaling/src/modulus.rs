@@ -2,8 +2,8 @@
 //!
 //! OpenSim's `stiffness` is E₁* of one surface. The Hertz law uses the composite modulus E* of both surfaces.
 
-use crate::EQUAL_SURFACES;
-use crate::error::{DomainError, non_negative, positive, require};
+use crate::SURFACE_OVER_COMPOSITE_MODULUS;
+use crate::error::{DomainError, require_non_negative, require_positive, require_range};
 
 /// The rule for the composite modulus of two surfaces.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -30,8 +30,13 @@ pub enum MixingRule {
 /// # Ok::<(), contact_scaling::DomainError>(())
 /// ```
 pub fn plane_strain(young_n_m2: f64, poisson: f64) -> Result<f64, DomainError> {
-    let young = positive("young's modulus", young_n_m2)?;
-    require(poisson > -1.0 && poisson <= 0.5, "poisson's ratio", poisson, "a number above -1, at most 0.5")?;
+    let young = require_positive("young's modulus", young_n_m2)?;
+    require_range(
+        poisson > -1.0 && poisson <= 0.5,
+        "poisson's ratio",
+        poisson,
+        "a number above -1, at most 0.5",
+    )?;
     Ok(young / (1.0 - poisson * poisson))
 }
 
@@ -50,8 +55,8 @@ pub fn plane_strain(young_n_m2: f64, poisson: f64) -> Result<f64, DomainError> {
 /// # Ok::<(), contact_scaling::DomainError>(())
 /// ```
 pub fn composite_johnson(first_n_m2: f64, second_n_m2: f64) -> Result<f64, DomainError> {
-    let a = positive("plane strain modulus", first_n_m2)?;
-    let b = positive("plane strain modulus", second_n_m2)?;
+    let a = require_positive("plane strain modulus", first_n_m2)?;
+    let b = require_positive("plane strain modulus", second_n_m2)?;
     Ok(a / (1.0 + a / b))
 }
 
@@ -70,8 +75,8 @@ pub fn composite_johnson(first_n_m2: f64, second_n_m2: f64) -> Result<f64, Domai
 /// # Ok::<(), contact_scaling::DomainError>(())
 /// ```
 pub fn composite_sherman(first_n_m2: f64, second_n_m2: f64) -> Result<f64, DomainError> {
-    let a = two_thirds(positive("plane strain modulus", first_n_m2)?);
-    let b = two_thirds(positive("plane strain modulus", second_n_m2)?);
+    let a = two_thirds(require_positive("plane strain modulus", first_n_m2)?);
+    let b = two_thirds(require_positive("plane strain modulus", second_n_m2)?);
     let k = a * (b / (a + b));
     Ok(k * k.sqrt())
 }
@@ -91,7 +96,7 @@ pub fn composite_sherman(first_n_m2: f64, second_n_m2: f64) -> Result<f64, Domai
 /// # Ok::<(), contact_scaling::DomainError>(())
 /// ```
 pub fn of_equal_surfaces(composite_n_m2: f64, rule: MixingRule) -> Result<f64, DomainError> {
-    Ok(equal_surfaces_factor(rule) * positive("composite modulus", composite_n_m2)?)
+    Ok(equal_surfaces_factor(rule) * require_positive("composite modulus", composite_n_m2)?)
 }
 
 /// Composite modulus of two equal surfaces, E* = E₁* / 2^p, in N/m²; E₁* is the `stiffness` in a model file.
@@ -109,7 +114,7 @@ pub fn of_equal_surfaces(composite_n_m2: f64, rule: MixingRule) -> Result<f64, D
 /// # Ok::<(), contact_scaling::DomainError>(())
 /// ```
 pub fn composite_of_equal(surface_n_m2: f64, rule: MixingRule) -> Result<f64, DomainError> {
-    Ok(positive("plane strain modulus", surface_n_m2)? / equal_surfaces_factor(rule))
+    Ok(require_positive("plane strain modulus", surface_n_m2)? / equal_surfaces_factor(rule))
 }
 
 /// The `stiffness` with which OpenSim computes the contact of a measured material on rigid ground, 2^(3/2) E₁/(1 − ν₁²), in N/m².
@@ -158,11 +163,11 @@ pub struct SurfaceValues {
 /// # Ok::<(), contact_scaling::DomainError>(())
 /// ```
 pub fn mixed_dissipation(first: SurfaceValues, second: SurfaceValues) -> Result<f64, DomainError> {
-    let a = two_thirds(positive("plane strain modulus", first.plane_strain_modulus)?);
-    let b = two_thirds(positive("plane strain modulus", second.plane_strain_modulus)?);
+    let a = two_thirds(require_positive("plane strain modulus", first.plane_strain_modulus)?);
+    let b = two_thirds(require_positive("plane strain modulus", second.plane_strain_modulus)?);
     let share = b / (a + b);
-    Ok(non_negative("dissipation", first.dissipation)? * share
-        + non_negative("dissipation", second.dissipation)? * (1.0 - share))
+    Ok(require_non_negative("dissipation", first.dissipation)? * share
+        + require_non_negative("dissipation", second.dissipation)? * (1.0 - share))
 }
 
 /// Composite radius of two spheres, R = R₁ R₂ / (R₁ + R₂), in m.
@@ -180,8 +185,8 @@ pub fn mixed_dissipation(first: SurfaceValues, second: SurfaceValues) -> Result<
 /// # Ok::<(), contact_scaling::DomainError>(())
 /// ```
 pub fn composite_radius(first_m: f64, second_m: f64) -> Result<f64, DomainError> {
-    let a = positive("sphere radius", first_m)?;
-    let b = positive("sphere radius", second_m)?;
+    let a = require_positive("sphere radius", first_m)?;
+    let b = require_positive("sphere radius", second_m)?;
     Ok(a / (1.0 + a / b))
 }
 
@@ -189,7 +194,7 @@ pub fn composite_radius(first_m: f64, second_m: f64) -> Result<f64, DomainError>
 fn equal_surfaces_factor(rule: MixingRule) -> f64 {
     match rule {
         MixingRule::Johnson => 2.0,
-        MixingRule::Sherman => EQUAL_SURFACES,
+        MixingRule::Sherman => SURFACE_OVER_COMPOSITE_MODULUS,
     }
 }
 

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use crate::error::{DomainError, non_negative, positive};
+use crate::error::{DomainError, require_non_negative, require_positive};
 
 /// Radius of the contact patch, √(x R), in m.
 ///
@@ -19,7 +19,8 @@ use crate::error::{DomainError, non_negative, positive};
 /// # Ok::<(), contact_scaling::DomainError>(())
 /// ```
 pub fn radius(indentation_m: f64, radius_m: f64) -> Result<f64, DomainError> {
-    Ok((non_negative("indentation", indentation_m)? * positive("sphere radius", radius_m)?).sqrt())
+    Ok((require_non_negative("indentation", indentation_m)? * require_positive("sphere radius", radius_m)?)
+        .sqrt())
 }
 
 /// Diameter of the contact patch, 2 √(x R), in m.
@@ -55,7 +56,7 @@ pub fn diameter(indentation_m: f64, radius_m: f64) -> Result<f64, DomainError> {
 /// # Ok::<(), contact_scaling::DomainError>(())
 /// ```
 pub fn relative_radius(relative_indentation: f64) -> Result<f64, DomainError> {
-    Ok(non_negative("relative indentation", relative_indentation)?.sqrt())
+    Ok(require_non_negative("relative indentation", relative_indentation)?.sqrt())
 }
 
 /// Mean stress on the contact patch, σ = F_c / (π R² x̂), in N/m².
@@ -73,9 +74,9 @@ pub fn relative_radius(relative_indentation: f64) -> Result<f64, DomainError> {
 /// # Ok::<(), contact_scaling::DomainError>(())
 /// ```
 pub fn mean_stress(force_n: f64, radius_m: f64, relative_indentation: f64) -> Result<f64, DomainError> {
-    let force = non_negative("force", force_n)?;
-    let radius = positive("sphere radius", radius_m)?;
-    Ok(force / (PI * (radius * radius) * positive("relative indentation", relative_indentation)?))
+    let force = require_non_negative("force", force_n)?;
+    let radius = require_positive("sphere radius", radius_m)?;
+    Ok(force / (PI * (radius * radius) * require_positive("relative indentation", relative_indentation)?))
 }
 
 #[cfg(test)]

@@ -3,10 +3,10 @@
 //! For an impact without gravity the law can be integrated: with d = 3/2 α ẋ⁻ the restitution c solves h(d) = h(−c d), where h(z)
 //! = z − ln(1 + z). (13) is the start of its series: c = 1 − 2/3 d + …
 
-use crate::error::{DomainError, non_negative, positive, require};
+use crate::error::{DomainError, require_non_negative, require_positive, require_range};
 
-const CLOSED_UNIT: &str = "a number from 0 to 1";
-const RESTITUTION: &str = "a number above 0, at most 1";
+const EXPECTED_ZERO_TO_ONE: &str = "a number from 0 to 1";
+const EXPECTED_RESTITUTION: &str = "a number above 0, at most 1";
 
 /// Restitution by the approximation, c_r = 1 − α ẋ⁻, without unit.
 ///
@@ -25,8 +25,8 @@ const RESTITUTION: &str = "a number above 0, at most 1";
 /// # Ok::<(), contact_scaling::DomainError>(())
 /// ```
 pub fn approximate(dissipation_s_m: f64, impact_speed_m_s: f64) -> Result<f64, DomainError> {
-    let c = 1.0 - loss(dissipation_s_m, impact_speed_m_s)?;
-    require(c >= 0.0, "restitution by (13)", c, CLOSED_UNIT)
+    let c = 1.0 - dissipation_times_speed(dissipation_s_m, impact_speed_m_s)?;
+    require_range(c >= 0.0, "restitution by (13)", c, EXPECTED_ZERO_TO_ONE)
 }
 
 /// Dissipation by the approximation, α = (1 − c_r) / ẋ⁻, in s/m: the largest with which the restitution is at least c_r.
@@ -45,8 +45,8 @@ pub fn approximate(dissipation_s_m: f64, impact_speed_m_s: f64) -> Result<f64, D
 /// ```
 pub fn dissipation(restitution: f64, impact_speed_m_s: f64) -> Result<f64, DomainError> {
     let ok = (0.0..=1.0).contains(&restitution);
-    let c = require(ok, "restitution", restitution, CLOSED_UNIT)?;
-    Ok((1.0 - c) / positive("impact speed", impact_speed_m_s)?)
+    let c = require_range(ok, "restitution", restitution, EXPECTED_ZERO_TO_ONE)?;
+    Ok((1.0 - c) / require_positive("impact speed", impact_speed_m_s)?)
 }
 
 /// Impact speed of the paper's drop tests, ẋ⁻ = √(2 g · R/4) = √(g R / 2), in m/s.
@@ -64,7 +64,8 @@ pub fn dissipation(restitution: f64, impact_speed_m_s: f64) -> Result<f64, Domai
 /// # Ok::<(), contact_scaling::DomainError>(())
 /// ```
 pub fn drop_speed(gravity_m_s2: f64, radius_m: f64) -> Result<f64, DomainError> {
-    Ok((positive("gravity", gravity_m_s2)? * positive("sphere radius", radius_m)? / 2.0).sqrt())
+    Ok((require_positive("gravity", gravity_m_s2)? * require_positive("sphere radius", radius_m)? / 2.0)
+        .sqrt())
 }
 
 /// Exact restitution c of the law: d − ln(1 + d) = −c d − ln(1 − c d) with d = 3/2 α ẋ⁻, without unit.
@@ -83,7 +84,7 @@ pub fn drop_speed(gravity_m_s2: f64, radius_m: f64) -> Result<f64, DomainError> 
 /// # Ok::<(), contact_scaling::DomainError>(())
 /// ```
 pub fn exact(dissipation_s_m: f64, impact_speed_m_s: f64) -> Result<f64, DomainError> {
-    Ok(restitution_from_loss(1.5 * loss(dissipation_s_m, impact_speed_m_s)?))
+    Ok(restitution_from_d(1.5 * dissipation_times_speed(dissipation_s_m, impact_speed_m_s)?))
 }
 
 /// Dissipation with which the exact restitution of the law is c: [`exact`] solved for α, in s/m.
@@ -103,15 +104,15 @@ pub fn exact(dissipation_s_m: f64, impact_speed_m_s: f64) -> Result<f64, DomainE
 /// ```
 pub fn exact_dissipation(restitution: f64, impact_speed_m_s: f64) -> Result<f64, DomainError> {
     let ok = restitution > 0.0 && restitution <= 1.0;
-    let c = require(ok, "restitution", restitution, RESTITUTION)?;
-    Ok(loss_from_restitution(c) / 1.5 / positive("impact speed", impact_speed_m_s)?)
+    let c = require_range(ok, "restitution", restitution, EXPECTED_RESTITUTION)?;
+    Ok(d_from_restitution(c) / 1.5 / require_positive("impact speed", impact_speed_m_s)?)
 }
 
 /// The product α ẋ⁻ of a dissipation and an impact speed, without unit.
-fn loss(dissipation_s_m: f64, impact_speed_m_s: f64) -> Result<f64, DomainError> {
-    let product =
-        non_negative("dissipation", dissipation_s_m)? * non_negative("impact speed", impact_speed_m_s)?;
-    non_negative("dissipation times impact speed", product)
+fn dissipation_times_speed(dissipation_s_m: f64, impact_speed_m_s: f64) -> Result<f64, DomainError> {
+    let product = require_non_negative("dissipation", dissipation_s_m)?
+        * require_non_negative("impact speed", impact_speed_m_s)?;
+    require_non_negative("dissipation times impact speed", product)
 }
 
 /// h(z) = z − ln(1 + z), without cancellation at small z.
@@ -128,8 +129,8 @@ fn z_minus_ln_1_plus_z(z: f64) -> f64 {
     s * (z - 2.0 * square * series)
 }
 
-/// The restitution c for the loss d, by Newton steps on h(−y) = h(d), where y = c d.
-fn restitution_from_loss(d: f64) -> f64 {
+/// The restitution c for d = 3/2 α ẋ⁻, by Newton steps on h(−y) = h(d), where y = c d.
+fn restitution_from_d(d: f64) -> f64 {
     if d == 0.0 {
         return 1.0;
     }
@@ -147,11 +148,11 @@ fn restitution_from_loss(d: f64) -> f64 {
     -z / d
 }
 
-/// The loss d for the restitution c, by Newton steps on c(d), which falls and is convex: every step stays left of the root.
-fn loss_from_restitution(c: f64) -> f64 {
+/// The number d = 3/2 α ẋ⁻ for the restitution c, by Newton steps on c(d), which falls and is convex: every step stays left of the root.
+fn d_from_restitution(c: f64) -> f64 {
     let mut d = 1.5 * (1.0 - c);
     for _ in 0..100 {
-        let restitution = restitution_from_loss(d);
+        let restitution = restitution_from_d(d);
         let y = restitution * d;
         let slope = (d / (1.0 + d) * (1.0 - y) / y - restitution) / d;
         let step = (c - restitution) / slope;
@@ -202,7 +203,7 @@ mod tests {
     fn restitution_of_extreme_dissipation_has_its_limit() {
         // c d → 1 as d → ∞.
         for d in [40.0, 1e3, 1e12, 1e300] {
-            assert!((restitution_from_loss(d) * d - 1.0).abs() < 1e-12, "{d}");
+            assert!((restitution_from_d(d) * d - 1.0).abs() < 1e-12, "{d}");
         }
     }
 

@@ -1,6 +1,6 @@
 //! The scale of a body with contact spheres, a load and the spheres that share it, and the scaling factors between two scales.
 
-use crate::error::{DomainError, at_least_one, positive};
+use crate::error::{DomainError, require_at_least_one, require_positive};
 
 /// The four numbers of a [`Scale`], by name and not yet checked.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -35,10 +35,10 @@ impl Scale {
     /// # Errors
     /// [`DomainError`] unless M, R and g are finite and above 0, and n is finite and at least 1.
     pub fn new(values: ScaleValues) -> Result<Self, DomainError> {
-        positive("mass", values.mass_kg)?;
-        positive("sphere radius", values.radius_m)?;
-        at_least_one("sphere count", values.sphere_count)?;
-        positive("gravity", values.gravity_m_s2)?;
+        require_positive("mass", values.mass_kg)?;
+        require_positive("sphere radius", values.radius_m)?;
+        require_at_least_one("sphere count", values.sphere_count)?;
+        require_positive("gravity", values.gravity_m_s2)?;
         Ok(Self(values))
     }
 
@@ -118,8 +118,8 @@ impl SharedLoad {
     /// [`DomainError`] unless F is finite and above 0, and n finite and at least 1.
     pub fn new(load_n: f64, sphere_count: f64) -> Result<Self, DomainError> {
         Ok(Self {
-            load_n: positive("load", load_n)?,
-            sphere_count: at_least_one("sphere count", sphere_count)?,
+            load_n: require_positive("load", load_n)?,
+            sphere_count: require_at_least_one("sphere count", sphere_count)?,
         })
     }
 
@@ -128,7 +128,7 @@ impl SharedLoad {
     /// # Errors
     /// [`DomainError`] unless the load is finite and above 0.
     pub fn body_weights(scale: &Scale, multiple: f64) -> Result<Self, DomainError> {
-        Self::new(positive("body weights", multiple)? * scale.body_weight_n(), scale.sphere_count())
+        Self::new(require_positive("body weights", multiple)? * scale.body_weight_n(), scale.sphere_count())
     }
 
     /// The total load F, in N.
@@ -186,17 +186,17 @@ impl Ratios {
     /// # Errors
     /// [`DomainError`] unless each ratio, and each factor formed from them, is finite and above 0.
     pub fn new(values: RatioValues) -> Result<Self, DomainError> {
-        positive("mass ratio", values.mass)?;
-        positive("sphere count ratio", values.sphere_count)?;
-        positive("radius ratio", values.radius)?;
-        positive("gravity ratio", values.gravity)?;
+        require_positive("mass ratio", values.mass)?;
+        require_positive("sphere count ratio", values.sphere_count)?;
+        require_positive("radius ratio", values.radius)?;
+        require_positive("gravity ratio", values.gravity)?;
         let ratios = Self(values);
-        positive("factor of the plane strain modulus", ratios.plane_strain_modulus())?;
-        positive("factor of the dissipation", ratios.dissipation())?;
-        positive("factor of the dissipation", ratios.dissipation_by_mass())?;
-        positive("factor of the constant contact force", ratios.constant_contact_force())?;
-        positive("factor of the hertz smoothing", ratios.hertz_smoothing())?;
-        positive("factor of the transition velocity", ratios.transition_velocity())?;
+        require_positive("factor of the plane strain modulus", ratios.plane_strain_modulus())?;
+        require_positive("factor of the dissipation", ratios.dissipation())?;
+        require_positive("factor of the dissipation", ratios.dissipation_by_mass())?;
+        require_positive("factor of the constant contact force", ratios.constant_contact_force())?;
+        require_positive("factor of the hertz smoothing", ratios.hertz_smoothing())?;
+        require_positive("factor of the transition velocity", ratios.transition_velocity())?;
         Ok(ratios)
     }
 

@@ -1,7 +1,7 @@
 //! Computes two of load, radius, indentation, modulus and stiffness from the other three: (3) and (B.2) together.
 
 use crate::design;
-use crate::error::{DomainError, positive, require};
+use crate::error::{DomainError, require_positive, require_range};
 
 /// The known quantities of one sphere under its load, not yet checked; a quantity that is `None` is computed.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -99,11 +99,11 @@ impl KnownQuantities {
     pub fn solve(&self) -> Result<Sizing, SizingError> {
         for (name, value) in self.by_name() {
             if let Some(value) = value {
-                positive(name, value)?;
+                require_positive(name, value)?;
             }
         }
         if let Some(x) = self.relative_indentation {
-            require(x <= 1.0, "relative indentation", x, "a number above 0, at most 1")?;
+            require_range(x <= 1.0, "relative indentation", x, "a number above 0, at most 1")?;
         }
         let sizing = self.solve_checked().ok_or_else(|| {
             let names = |known: bool| {
@@ -116,7 +116,7 @@ impl KnownQuantities {
             SizingError::Insufficient { known: names(true), missing: names(false) }
         })?;
         for ((quantity, given), (_, follows)) in self.by_name().into_iter().zip(sizing.by_name()) {
-            positive(quantity, follows)?;
+            require_positive(quantity, follows)?;
             if let Some(given) =
                 given.filter(|given| (given - follows).abs() > CONSISTENCY_TOLERANCE * follows)
             {
@@ -147,7 +147,7 @@ impl KnownQuantities {
     /// # Ok::<(), contact_scaling::sizing::SizingError>(())
     /// ```
     pub fn solve_smoothed(&self, speed_state: f64) -> Result<Sizing, SizingError> {
-        let share = positive("speed state", speed_state)?;
+        let share = require_positive("speed state", speed_state)?;
         let given = self.composite_modulus_n_m2;
         let hertz_like = Self { composite_modulus_n_m2: given.map(|modulus| modulus * share), ..*self };
         match hertz_like.solve() {

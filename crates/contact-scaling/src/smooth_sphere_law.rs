@@ -1,6 +1,6 @@
 //! The smoothed law of OpenSim's `SmoothSphereHalfSpaceForce`: (C.1), (C.3), (C.4), (C.9).
 
-use crate::error::{DomainError, non_negative, positive};
+use crate::error::{DomainError, require_non_negative, require_positive};
 use crate::{Contact, Hertz, SmoothingValues, smoothing};
 
 /// The normal force of one `SmoothSphereHalfSpaceForce`.
@@ -22,10 +22,10 @@ impl SmoothSphere {
     /// # Errors
     /// [`DomainError`] unless α ≥ 0, cf ≥ 0, bd > 0 and bv > 0, all finite.
     pub fn new(hertz: Hertz, dissipation: f64, smoothing: SmoothingValues) -> Result<Self, DomainError> {
-        non_negative("dissipation", dissipation)?;
-        non_negative("constant contact force", smoothing.constant_contact_force)?;
-        positive("hertz smoothing", smoothing.hertz_smoothing)?;
-        positive("hunt crossley smoothing", smoothing.hunt_crossley_smoothing)?;
+        require_non_negative("dissipation", dissipation)?;
+        require_non_negative("constant contact force", smoothing.constant_contact_force)?;
+        require_positive("hertz smoothing", smoothing.hertz_smoothing)?;
+        require_positive("hunt crossley smoothing", smoothing.hunt_crossley_smoothing)?;
         let mut law = Self { hertz, dissipation, smoothing, at_rest: 1.0 };
         law.at_rest = law.speed_state(0.0);
         Ok(law)

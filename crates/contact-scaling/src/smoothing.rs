@@ -3,7 +3,7 @@
 //!
 //! A threshold t is a value of the contact state s_c, without unit: a width is the distance from s_c = t to s_c = 1 − t.
 
-use crate::error::{DomainError, non_negative, positive, require};
+use crate::error::{DomainError, require_non_negative, require_positive, require_range};
 
 /// The smoothing parameters of `SmoothSphereHalfSpaceForce`, by name and not yet checked.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -22,16 +22,16 @@ impl SmoothingValues {
         Self { constant_contact_force: 1e-5, hertz_smoothing: 300.0, hunt_crossley_smoothing: 50.0 };
 }
 
-const BELOW_HALF: &str = "a number between 0 and 0.5";
+const EXPECTED_BELOW_HALF: &str = "a number between 0 and 0.5";
 
 /// atanh(1 − 2 t); an error with the `expected` range unless `ok`.
-fn half_width(threshold: f64, ok: bool, expected: &'static str) -> Result<f64, DomainError> {
-    Ok(libm::atanh(1.0 - 2.0 * require(ok, "threshold", threshold, expected)?))
+fn half_width_from_threshold(threshold: f64, ok: bool, expected: &'static str) -> Result<f64, DomainError> {
+    Ok(libm::atanh(1.0 - 2.0 * require_range(ok, "threshold", threshold, expected)?))
 }
 
 /// 2 atanh(1 − 2 t) for 0 < t < ½.
-fn full_width(threshold: f64) -> Result<f64, DomainError> {
-    Ok(2.0 * half_width(threshold, threshold > 0.0 && threshold < 0.5, BELOW_HALF)?)
+fn full_width_from_threshold(threshold: f64) -> Result<f64, DomainError> {
+    Ok(2.0 * half_width_from_threshold(threshold, threshold > 0.0 && threshold < 0.5, EXPECTED_BELOW_HALF)?)
 }
 
 /// Constant contact "force" for a constant relative indentation, cf = (R x̂_c)², in m².
@@ -49,8 +49,8 @@ fn full_width(threshold: f64) -> Result<f64, DomainError> {
 /// # Ok::<(), contact_scaling::DomainError>(())
 /// ```
 pub fn constant_contact_force(constant_indentation: f64, radius_m: f64) -> Result<f64, DomainError> {
-    let x = non_negative("constant relative indentation", constant_indentation)?
-        * positive("sphere radius", radius_m)?;
+    let x = require_non_negative("constant relative indentation", constant_indentation)?
+        * require_positive("sphere radius", radius_m)?;
     Ok(x * x)
 }
 
@@ -69,8 +69,8 @@ pub fn constant_contact_force(constant_indentation: f64, radius_m: f64) -> Resul
 /// # Ok::<(), contact_scaling::DomainError>(())
 /// ```
 pub fn constant_indentation(constant_contact_force_m2: f64, radius_m: f64) -> Result<f64, DomainError> {
-    let cf = non_negative("constant contact force", constant_contact_force_m2)?;
-    Ok(cf.sqrt() / positive("sphere radius", radius_m)?)
+    let cf = require_non_negative("constant contact force", constant_contact_force_m2)?;
+    Ok(cf.sqrt() / require_positive("sphere radius", radius_m)?)
 }
 
 /// Hertz smoothing from its dimensionless form, bd = b_x̂ / R, in 1/m.
@@ -88,7 +88,8 @@ pub fn constant_indentation(constant_contact_force_m2: f64, radius_m: f64) -> Re
 /// # Ok::<(), contact_scaling::DomainError>(())
 /// ```
 pub fn hertz_smoothing(dimensionless: f64, radius_m: f64) -> Result<f64, DomainError> {
-    Ok(positive("dimensionless hertz smoothing", dimensionless)? / positive("sphere radius", radius_m)?)
+    Ok(require_positive("dimensionless hertz smoothing", dimensionless)?
+        / require_positive("sphere radius", radius_m)?)
 }
 
 /// Relative indentation at which the contact state is 1 − t: x̂_t = atanh(1 − 2 t) / (bd R), without unit.
@@ -111,9 +112,9 @@ pub fn threshold_indentation(
     radius_m: f64,
 ) -> Result<f64, DomainError> {
     let ok = threshold > 0.0 && threshold < 1.0;
-    let half = half_width(threshold, ok, "a number between 0 and 1")?;
-    let bd = positive("hertz smoothing", hertz_smoothing_per_m)?;
-    Ok(half / (bd * positive("sphere radius", radius_m)?))
+    let half = half_width_from_threshold(threshold, ok, "a number between 0 and 1")?;
+    let bd = require_positive("hertz smoothing", hertz_smoothing_per_m)?;
+    Ok(half / (bd * require_positive("sphere radius", radius_m)?))
 }
 
 /// Width of the contact transition in relative indentation, Δx̂ = 2 atanh(1 − 2 t) / (bd R), without unit.
@@ -135,8 +136,8 @@ pub fn transition_width(
     hertz_smoothing_per_m: f64,
     radius_m: f64,
 ) -> Result<f64, DomainError> {
-    let bd = positive("hertz smoothing", hertz_smoothing_per_m)?;
-    Ok(full_width(threshold)? / (bd * positive("sphere radius", radius_m)?))
+    let bd = require_positive("hertz smoothing", hertz_smoothing_per_m)?;
+    Ok(full_width_from_threshold(threshold)? / (bd * require_positive("sphere radius", radius_m)?))
 }
 
 /// Hertz smoothing for a wanted width of the contact transition, bd = 2 atanh(1 − 2 t) / (Δx̂ R), in 1/m.
@@ -154,8 +155,8 @@ pub fn transition_width(
 /// # Ok::<(), contact_scaling::DomainError>(())
 /// ```
 pub fn hertz_smoothing_for_width(threshold: f64, width: f64, radius_m: f64) -> Result<f64, DomainError> {
-    let width = positive("transition width", width)?;
-    Ok(full_width(threshold)? / (width * positive("sphere radius", radius_m)?))
+    let width = require_positive("transition width", width)?;
+    Ok(full_width_from_threshold(threshold)? / (width * require_positive("sphere radius", radius_m)?))
 }
 
 /// Hunt–Crossley smoothing from its reduced form, bv = b_ẋ / √R, in s/m.
@@ -173,8 +174,8 @@ pub fn hertz_smoothing_for_width(threshold: f64, width: f64, radius_m: f64) -> R
 /// # Ok::<(), contact_scaling::DomainError>(())
 /// ```
 pub fn hunt_crossley_smoothing(reduced_s_per_root_m: f64, radius_m: f64) -> Result<f64, DomainError> {
-    let reduced = positive("reduced hunt crossley smoothing", reduced_s_per_root_m)?;
-    Ok(reduced / positive("sphere radius", radius_m)?.sqrt())
+    let reduced = require_positive("reduced hunt crossley smoothing", reduced_s_per_root_m)?;
+    Ok(reduced / require_positive("sphere radius", radius_m)?.sqrt())
 }
 
 /// Hunt–Crossley smoothing for a wanted width of the speed state, bv = 2 atanh(1 − 2 t) / Δv, in s/m.
@@ -192,7 +193,7 @@ pub fn hunt_crossley_smoothing(reduced_s_per_root_m: f64, radius_m: f64) -> Resu
 /// # Ok::<(), contact_scaling::DomainError>(())
 /// ```
 pub fn hunt_crossley_smoothing_for_speed_width(threshold: f64, width_m_s: f64) -> Result<f64, DomainError> {
-    Ok(full_width(threshold)? / positive("speed width", width_m_s)?)
+    Ok(full_width_from_threshold(threshold)? / require_positive("speed width", width_m_s)?)
 }
 
 /// Hunt–Crossley smoothing in the form that the paper prints, bv = 2 atanh(1 − 2 t) / (Δẋ √R), in s/m.
@@ -215,8 +216,8 @@ pub fn hunt_crossley_smoothing_for_reduced_width(
     width_root_m_per_s: f64,
     radius_m: f64,
 ) -> Result<f64, DomainError> {
-    let width = positive("reduced speed width", width_root_m_per_s)?;
-    Ok(full_width(threshold)? / (width * positive("sphere radius", radius_m)?.sqrt()))
+    let width = require_positive("reduced speed width", width_root_m_per_s)?;
+    Ok(full_width_from_threshold(threshold)? / (width * require_positive("sphere radius", radius_m)?.sqrt()))
 }
 
 /// Speed state of a smoothed contact at speed 0, ½ + ½ tanh(2 bv/(3α)), without unit, from ½ to 1.
@@ -236,8 +237,8 @@ pub fn hunt_crossley_smoothing_for_reduced_width(
 /// # Ok::<(), contact_scaling::DomainError>(())
 /// ```
 pub fn speed_state_at_rest(dissipation_s_m: f64, smoothing_s_m: f64) -> Result<f64, DomainError> {
-    let alpha = non_negative("dissipation", dissipation_s_m)?;
-    Ok(speed_state(alpha, positive("hunt crossley smoothing", smoothing_s_m)?, 0.0))
+    let alpha = require_non_negative("dissipation", dissipation_s_m)?;
+    Ok(speed_state(alpha, require_positive("hunt crossley smoothing", smoothing_s_m)?, 0.0))
 }
 
 /// The share of the force that smoothing leaves at a speed, from 0 to 1: the second factor of (C.9), for valid numbers.

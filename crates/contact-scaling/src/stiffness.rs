@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use crate::SharedLoad;
-use crate::error::{DomainError, positive};
+use crate::error::{DomainError, require_positive};
 
 /// Dimensionless stiffness k̂ = k R n / F_c, without unit.
 ///
@@ -21,8 +21,8 @@ use crate::error::{DomainError, positive};
 /// # Ok::<(), contact_scaling::DomainError>(())
 /// ```
 pub fn dimensionless(stiffness_n_m: f64, radius_m: f64, load: &SharedLoad) -> Result<f64, DomainError> {
-    let k = positive("contact stiffness", stiffness_n_m)?;
-    Ok(k * positive("sphere radius", radius_m)? / load.per_sphere_n())
+    let k = require_positive("contact stiffness", stiffness_n_m)?;
+    Ok(k * require_positive("sphere radius", radius_m)? / load.per_sphere_n())
 }
 
 /// Dimensionless stiffness of the Hertz law under the load at which the relative indentation is x̂: k̂ = 3 / (2 x̂), without
@@ -41,7 +41,7 @@ pub fn dimensionless(stiffness_n_m: f64, radius_m: f64, load: &SharedLoad) -> Re
 /// # Ok::<(), contact_scaling::DomainError>(())
 /// ```
 pub fn dimensionless_hertz(relative_indentation: f64) -> Result<f64, DomainError> {
-    Ok(1.5 / positive("relative indentation", relative_indentation)?)
+    Ok(1.5 / require_positive("relative indentation", relative_indentation)?)
 }
 
 /// Natural frequency of small oscillations, f_n = √(k / M) / (2π), in Hz.
@@ -59,8 +59,8 @@ pub fn dimensionless_hertz(relative_indentation: f64) -> Result<f64, DomainError
 /// # Ok::<(), contact_scaling::DomainError>(())
 /// ```
 pub fn natural_frequency(stiffness_n_m: f64, mass_on_sphere_kg: f64) -> Result<f64, DomainError> {
-    let k = positive("contact stiffness", stiffness_n_m)?;
-    Ok((k / positive("mass on the sphere", mass_on_sphere_kg)?).sqrt() / TAU)
+    let k = require_positive("contact stiffness", stiffness_n_m)?;
+    Ok((k / require_positive("mass on the sphere", mass_on_sphere_kg)?).sqrt() / TAU)
 }
 
 /// Natural frequency of small oscillations about the equilibrium under body weight, f_n,eq = √(3/2 · g / (x̂_eq R)) / (2π), in
@@ -83,9 +83,9 @@ pub fn equilibrium_frequency(
     radius_m: f64,
     gravity_m_s2: f64,
 ) -> Result<f64, DomainError> {
-    let x = positive("relative indentation", relative_indentation)?;
-    let radius = positive("sphere radius", radius_m)?;
-    Ok((1.5 * positive("gravity", gravity_m_s2)? / (x * radius)).sqrt() / TAU)
+    let x = require_positive("relative indentation", relative_indentation)?;
+    let radius = require_positive("sphere radius", radius_m)?;
+    Ok((1.5 * require_positive("gravity", gravity_m_s2)? / (x * radius)).sqrt() / TAU)
 }
 
 #[cfg(test)]

@@ -16,7 +16,7 @@ use crate::{Contact, ContactValues, DomainError, Hertz, Ratios, Scale, ScaleValu
 pub const GRAVITY_M_S2: f64 = 9.81;
 
 /// Height of the drop tests, in sphere radii (Section 3).
-pub const HEIGHT_RADII: f64 = 0.25;
+pub const DROP_HEIGHT_RADII: f64 = 0.25;
 
 /// Duration of the drop tests, s (Section 3).
 pub const DURATION_S: f64 = 2.0;
@@ -92,7 +92,7 @@ impl Column {
 /// A number of Table 1, as printed and as computed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
-pub struct Compared {
+pub struct ComparedNumber {
     /// Column of the number.
     pub column: Column,
     /// The number as the paper prints it.
@@ -103,7 +103,7 @@ pub struct Compared {
     pub from_rounded: Option<f64>,
 }
 
-impl Compared {
+impl ComparedNumber {
     /// The printed number; NaN if it is not a number.
     pub fn printed_value(&self) -> f64 {
         self.printed.parse().unwrap_or(f64::NAN)
@@ -120,7 +120,7 @@ impl Compared {
     }
 
     /// Half a unit of the last printed digit, in the unit of the paper.
-    pub fn half_last_digit(&self) -> f64 {
+    pub fn half_unit_of_last_digit(&self) -> f64 {
         // An index of bytes says where the point is; what follows it are the decimals.
         let decimals = self.printed.find('.').map_or(0, |point| self.printed.len() - point - 1);
         0.5 * 10.0_f64.powi(-i32::try_from(decimals).unwrap_or(i32::MAX))
@@ -140,7 +140,7 @@ impl Compared {
     /// Whether `value`, rounded as in the paper, is the printed number.
     fn prints_as(&self, value: f64) -> bool {
         // 2.065 - 2.07 is not 0.005 in binary; nothing that matters is hidden by one part in 1e9 of a digit.
-        (value - self.printed_value()).abs() <= self.half_last_digit() * (1.0 + 1e-9)
+        (value - self.printed_value()).abs() <= self.half_unit_of_last_digit() * (1.0 + 1e-9)
     }
 }
 
@@ -158,7 +158,7 @@ pub fn animals() -> impl Iterator<Item = Animal> {
 }
 
 /// The animals with the name `taxon`, in the order of the table.
-pub fn called(taxon: &str) -> impl Iterator<Item = Animal> {
+pub fn animals_called(taxon: &str) -> impl Iterator<Item = Animal> {
     animals().filter(move |animal| animal.taxon() == taxon)
 }
 
@@ -202,7 +202,7 @@ impl Animal {
     ///
     /// # Errors
     /// None for the numbers of the table.
-    pub fn plain_contact(&self) -> Result<Contact, DomainError> {
+    pub fn contact_without_smoothing(&self) -> Result<Contact, DomainError> {
         Contact::new(ContactValues { smoothing: None, ..self.contact()?.values() })
     }
 
@@ -216,28 +216,30 @@ impl Animal {
     ///
     /// # Errors
     /// None for the numbers of the table.
-    pub fn compared(&self) -> Result<Vec<Compared>, DropError> {
-        let contact = self.plain_contact()?;
+    pub fn compared(&self) -> Result<Vec<ComparedNumber>, DropError> {
+        let contact = self.contact_without_smoothing()?;
         let radius = self.scale.radius_m();
-        let drop = DropTest::of(&contact, &self.scale, HEIGHT_RADII, DURATION_S)?.run()?;
+        let drop = DropTest::of(&contact, &self.scale, DROP_HEIGHT_RADII, DURATION_S)?.run()?;
         let x_hat = drop.final_indentation_m / radius;
         let stiffness = Hertz::of(&contact, radius)?.stiffness_at_relative_indentation(x_hat);
-        let of = |column| -> Result<Compared, DropError> {
+        let of = |column| -> Result<ComparedNumber, DropError> {
             let (computed, from_rounded) = match column {
-                Column::CompositeModulus => (contact.composite_modulus() / 1e6, self.modulus_of_rounded()?),
+                Column::CompositeModulus => {
+                    (contact.composite_modulus() / 1e6, self.modulus_from_rounded_human()?)
+                }
                 Column::PlaneStrainModulus => (contact.plane_strain_modulus() / 1e6, None),
                 Column::BaseDissipation => (falisse2022().contact.dissipation(), None),
                 Column::ScaledDissipation => (contact.dissipation(), None),
                 Column::FinalIndentation => (x_hat, None),
                 Column::ContactStiffness => (stiffness / 1e3, None),
             };
-            Ok(Compared { column, printed: self.printed(column), computed, from_rounded })
+            Ok(ComparedNumber { column, printed: self.printed(column), computed, from_rounded })
         };
         Column::ALL.into_iter().map(of).collect()
     }
 
     /// E* in MPa, scaled by (10) from the three digits that the paper prints for the human.
-    fn modulus_of_rounded(&self) -> Result<Option<f64>, DomainError> {
+    fn modulus_from_rounded_human(&self) -> Result<Option<f64>, DomainError> {
         let human =
             animals().next().and_then(|human| human.printed(Column::CompositeModulus).parse::<f64>().ok());
         let ratio = self.ratios()?.plane_strain_modulus();
@@ -249,14 +251,14 @@ impl Animal {
 mod tests {
     use super::*;
 
-    fn compared(printed: &'static str, computed: f64) -> Compared {
-        Compared { column: Column::ContactStiffness, printed, computed, from_rounded: None }
+    fn compared(printed: &'static str, computed: f64) -> ComparedNumber {
+        ComparedNumber { column: Column::ContactStiffness, printed, computed, from_rounded: None }
     }
 
     #[test]
     fn half_a_unit_of_the_last_printed_digit_is_allowed() {
         for (printed, half) in [("207", 0.5), ("13.4", 0.05), ("0.218", 0.0005), ("2.00", 0.005)] {
-            assert_eq!(compared(printed, 0.0).half_last_digit(), half, "{printed}");
+            assert_eq!(compared(printed, 0.0).half_unit_of_last_digit(), half, "{printed}");
         }
         assert!(compared("13.4", 13.4495).is_within_last_digit());
         assert!(compared("13.4", 13.35).is_within_last_digit());
@@ -272,9 +274,9 @@ mod tests {
 
     #[test]
     fn a_number_computed_from_a_rounded_one_is_recognised() {
-        let seen = Compared { from_rounded: Some(0.09155), ..compared("0.0916", 0.0915) };
+        let seen = ComparedNumber { from_rounded: Some(0.09155), ..compared("0.0916", 0.0915) };
         assert!(seen.is_from_rounded());
-        assert!(!Compared { from_rounded: Some(0.0915), ..seen }.is_from_rounded());
-        assert!(!Compared { computed: 0.0916, ..seen }.is_from_rounded());
+        assert!(!ComparedNumber { from_rounded: Some(0.0915), ..seen }.is_from_rounded());
+        assert!(!ComparedNumber { computed: 0.0916, ..seen }.is_from_rounded());
     }
 }

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::sync::OnceLock;
 
-use contact_scaling::EQUAL_SURFACES;
+use contact_scaling::SURFACE_OVER_COMPOSITE_MODULUS;
 use foldhash::HashMap;
 use osim_model::messages::shown;
 use osim_model::{
@@ -260,7 +260,7 @@ impl Entry {
         let close = |value, expected| likeness.is_close(value, expected);
         let radius = contact.radius_m / published.radius_m;
         // (10), (14), (C.2), (C.5), (C.10), and (8).
-        let modulus = published.stiffness / EQUAL_SURFACES * mass / (radius * radius * share);
+        let modulus = published.stiffness / SURFACE_OVER_COMPOSITE_MODULUS * mass / (radius * radius * share);
         let is_scaled = |values: [f64; 3], [c, d, v]: [f64; 3]| {
             let expected = [c * radius * radius, d / radius, v / radius.sqrt()];
             let mut compared = values.into_iter().zip(expected).zip(likeness.smoothing);

@@ -1,5 +1,5 @@
-//! Answers six questions about every model, and one question about a recording, in one line each: the line has the worst finding, or says
-//! that all is right.
+//! The rows of `check`: judges six topics of every model, and one topic of a recording, in one line each. The line has the worst finding,
+//! or says that all is right.
 
 use std::cmp::Reverse;
 
@@ -8,42 +8,42 @@ use osim_model::feet::{ContactPlane, DefaultPose};
 use osim_model::messages::{
     Phrase, counted, four_significant, named, phrase, readable, shown, three_significant,
 };
-use osim_model::{FindingCode, MassSource, Model, Severity, VerdictOn};
+use osim_model::{FindingCode, MassSource, Model, Severity, VerdictTopic};
 use osim_requests::spell::Speller;
 use serde::{Serialize, Serializer};
 
 use crate::inspection::{Inspection, StandingBody, step_in_words};
 use crate::{Figure, FindingWithRemedy, SphereFigures};
 
-/// The answer to one of the questions.
+/// What is right or wrong with a model in one topic.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
 pub struct Verdict {
-    /// What the question is about: `floor`, `standing`, `mass`, `sides`, `sizes` or `solver`; with a recording `motion`, too.
+    /// The topic: `floor`, `standing`, `mass`, `sides`, `sizes` or `solver`; with a recording `motion`, too.
     #[serde(serialize_with = "name")]
     #[cfg_attr(feature = "schemas", schemars(with = "String"))]
-    pub on: VerdictOn,
+    pub on: VerdictTopic,
     /// The result: `good`, `remark`, `warning`, `error` or `unknown`.
     #[cfg_attr(feature = "schemas", schemars(with = "String"))]
     pub sign: Sign,
-    /// The answer in words, with the number that decides.
+    /// The result in words, with the number that decides.
     #[serde(serialize_with = "text")]
     #[cfg_attr(feature = "schemas", schemars(with = "String"))]
     pub text: Phrase,
     /// Component path of the force, sphere or body that decides, if there is one.
     pub place: Option<String>,
-    /// Codes of the findings about the question, the worst first; empty if all is right or not known.
+    /// Codes of the findings about the topic, the worst first; empty if all is right or not known.
     #[serde(serialize_with = "codes")]
     #[cfg_attr(feature = "schemas", schemars(with = "Vec<String>"))]
     pub codes: Vec<FindingCode>,
 }
 
 named! {
-    /// The result of a question: good, the severity of the worst finding, or unknown. The JSON of a verdict has exactly these five.
+    /// The result of a topic: good, the severity of the worst finding, or unknown. The JSON of a verdict has exactly these five.
     #[derive(Serialize)]
     #[serde(rename_all = "lowercase")]
     pub enum Sign {
-        /// No finding is about the question.
+        /// No finding is about the topic.
         Good = "good",
         Remark = "remark",
         Warning = "warning",
@@ -64,9 +64,9 @@ impl From<Severity> for Sign {
 }
 
 impl Verdict {
-    /// An answer with the text of the worst finding and the codes of all findings.
+    /// A verdict with the text of the worst finding and the codes of all findings.
     pub(crate) fn from_findings(
-        on: VerdictOn,
+        on: VerdictTopic,
         worst: &FindingWithRemedy,
         others: &[&FindingWithRemedy],
     ) -> Self {
@@ -88,8 +88,8 @@ impl Verdict {
         self
     }
 
-    /// An answer to a question that has no findings: the text says what is right, or why this is not known.
-    pub(crate) fn without_findings(on: VerdictOn, right: Result<Phrase, Phrase>) -> Self {
+    /// The verdict on a topic without findings: the text says what is right, or why this is not known.
+    pub(crate) fn without_findings(on: VerdictTopic, right: Result<Phrase, Phrase>) -> Self {
         let (sign, text) = match right {
             Ok(text) => (Sign::Good, text),
             Err(why) => (Sign::Unknown, why),
@@ -97,13 +97,13 @@ impl Verdict {
         Self { on, sign, text, place: None, codes: Vec::new() }
     }
 
-    /// Writes the text of the answer in the words of a front end.
+    /// Writes the text of the verdict in the words of a front end.
     pub(crate) fn spell(&mut self, speller: &dyn Speller) {
         self.text.spell(speller);
     }
 }
 
-fn name<S: Serializer>(on: &VerdictOn, serializer: S) -> Result<S::Ok, S::Error> {
+fn name<S: Serializer>(on: &VerdictTopic, serializer: S) -> Result<S::Ok, S::Error> {
     serializer.serialize_str(on.as_str())
 }
 
@@ -148,17 +148,17 @@ fn range(least: &str, most: &str) -> String {
     if least == most { least.to_owned() } else { format!("{least} to {most}") }
 }
 
-/// The answers to all questions about a model. `findings` must be sorted, the worst first.
+/// The verdicts on all topics of a model. `findings` must be sorted, the worst first.
 pub(crate) fn answer_all(
     model: &Model,
     inspected: &Inspection,
     findings: &[FindingWithRemedy],
 ) -> Vec<Verdict> {
     let inspected = InspectedModel { model, inspection: inspected };
-    VerdictOn::OF_EVERY_MODEL.into_iter().map(|on| answer_question(on, &inspected, findings)).collect()
+    VerdictTopic::OF_EVERY_MODEL.into_iter().map(|on| judge_topic(on, &inspected, findings)).collect()
 }
 
-fn answer_question(on: VerdictOn, inspected: &InspectedModel<'_>, findings: &[FindingWithRemedy]) -> Verdict {
+fn judge_topic(on: VerdictTopic, inspected: &InspectedModel<'_>, findings: &[FindingWithRemedy]) -> Verdict {
     let mut deciding: Vec<&FindingWithRemedy> =
         findings.iter().filter(|found| found.rule.verdict == Some(on)).collect();
     // Of two that are equally bad, masses of bodies come first, because the others follow from them.
@@ -169,7 +169,7 @@ fn answer_question(on: VerdictOn, inspected: &InspectedModel<'_>, findings: &[Fi
     };
     deciding.sort_by_key(|found| (Reverse(found.severity), rank(found.code())));
     if let Some((worst, others)) = deciding.split_first() {
-        let origin = (on == VerdictOn::Mass).then(|| describe_origin(inspected, worst.code())).flatten();
+        let origin = (on == VerdictTopic::Mass).then(|| describe_origin(inspected, worst.code())).flatten();
         return Verdict::from_findings(on, worst, others).with_addition(origin);
     }
     if findings.iter().any(|found| found.code() == FindingCode::BareModel) {
@@ -178,27 +178,27 @@ fn answer_question(on: VerdictOn, inspected: &InspectedModel<'_>, findings: &[Fi
     if inspected.model.forces().is_empty() && !inspected.model.carriers_of_other_classes().is_empty() {
         return Verdict::without_findings(on, Err("contacts of this class are not judged".into()));
     }
-    let follows_weight = matches!(on, VerdictOn::Standing | VerdictOn::Mass | VerdictOn::Solver);
+    let follows_weight = matches!(on, VerdictTopic::Standing | VerdictTopic::Mass | VerdictTopic::Solver);
     if follows_weight && has_gravity_of_another_unit(inspected, findings) {
         return Verdict::without_findings(on, Err("gravity is in another unit".into()));
     }
     let has_finding = |code| findings.iter().any(|found| found.code() == code);
-    if on == VerdictOn::Sides && has_finding(FindingCode::OddNumber) {
+    if on == VerdictTopic::Sides && has_finding(FindingCode::OddNumber) {
         return Verdict::without_findings(on, Err("OpenSim reads another number than is written".into()));
     }
     let is_on_contacts =
-        matches!(on, VerdictOn::Mass | VerdictOn::Sides | VerdictOn::Sizes | VerdictOn::Solver);
+        matches!(on, VerdictTopic::Mass | VerdictTopic::Sides | VerdictTopic::Sizes | VerdictTopic::Solver);
     if is_on_contacts && has_finding(FindingCode::UnknownName) {
         return Verdict::without_findings(on, Err("OpenSim does not know a name in the file".into()));
     }
     let right = match on {
-        VerdictOn::Floor => describe_floor(inspected),
-        VerdictOn::Standing => describe_standing(inspected),
-        VerdictOn::Mass => describe_mass(inspected),
-        VerdictOn::Sides => describe_sides(inspected),
-        VerdictOn::Sizes => describe_sizes(inspected),
-        VerdictOn::Solver => describe_solver(inspected),
-        VerdictOn::Recording => Err("no recording is given".into()),
+        VerdictTopic::Floor => describe_floor(inspected),
+        VerdictTopic::Standing => describe_standing(inspected),
+        VerdictTopic::Mass => describe_mass(inspected),
+        VerdictTopic::Sides => describe_sides(inspected),
+        VerdictTopic::Sizes => describe_sizes(inspected),
+        VerdictTopic::Solver => describe_solver(inspected),
+        VerdictTopic::Recording => Err("no recording is given".into()),
     };
     Verdict::without_findings(on, right)
 }

@@ -26,7 +26,7 @@ impl Foot {
         let groups: Vec<(String, Option<Side>, Vec<usize>)> = match limbs.if_known() {
             Some(limbs) => {
                 let group = |limb: &Limb| {
-                    let pairs = reactions(states, |pair| limb.spheres.contains(&pair.sphere));
+                    let pairs = pairs_with_ground(states, |pair| limb.spheres.contains(&pair.sphere));
                     (limb.name.clone(), Some(limb.side), pairs)
                 };
                 limbs.iter().map(group).collect()
@@ -35,7 +35,7 @@ impl Foot {
                 let names =
                     [("right", Some(Side::Right)), ("left", Some(Side::Left)), ("all contacts", None)];
                 let group = |(name, side): (&str, Option<Side>)| {
-                    let pairs = reactions(states, |pair| Side::of_name(&pair.body) == side);
+                    let pairs = pairs_with_ground(states, |pair| Side::of_name(&pair.body) == side);
                     (name.to_owned(), side, pairs)
                 };
                 names.map(group).into()
@@ -78,7 +78,7 @@ impl Foot {
 }
 
 /// Indices of the contact pairs through which the ground pushes spheres, among those that are wanted.
-fn reactions(states: &ContactStates, is_wanted: impl Fn(&ContactPair) -> bool) -> Vec<usize> {
+fn pairs_with_ground(states: &ContactStates, is_wanted: impl Fn(&ContactPair) -> bool) -> Vec<usize> {
     let all = states.pairs.iter().enumerate();
     all.filter(|(_, pair)| pair.applies && pair.is_ground && is_wanted(pair))
         .map(|(index, _)| index)
@@ -96,9 +96,9 @@ fn bodies_of_pairs(states: &ContactStates, pairs: &[usize]) -> Vec<String> {
 }
 
 /// A stance begins when the force along the normal rises above this share of body weight.
-pub const ON_BW: f64 = 0.05;
+pub const TOUCH_DOWN_BW: f64 = 0.05;
 /// A stance ends when the force along the normal falls below this share of body weight.
-pub(crate) const OFF_BW: f64 = 0.03;
+pub(crate) const LIFT_OFF_BW: f64 = 0.03;
 
 /// The frames of one stance: a foot is on the ground in all of them.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -117,7 +117,7 @@ impl StancePhase {
     /// The stances of a foot by its force along the normal, N; their times are interpolated between frames. A force of NaN is
     /// unknown, and its frame belongs to no stance.
     pub fn all(time_s: &[f64], force_n: &[f64], weight_n: f64) -> Vec<Self> {
-        let (on, off) = (ON_BW * weight_n, OFF_BW * weight_n);
+        let (on, off) = (TOUCH_DOWN_BW * weight_n, LIFT_OFF_BW * weight_n);
         let mut stances: Vec<Self> = Vec::new();
         let mut open: Option<Self> = None;
         for (frame, &force) in force_n.iter().enumerate() {

@@ -86,9 +86,9 @@ pub struct MotionFit {
 }
 
 /// The number of heights that the search tries first.
-const FIRST_HEIGHTS: usize = 48;
+const COUNT_OF_TRIED_HEIGHTS: usize = 48;
 /// Dissipations that the search tries with each height, s/m.
-const DISSIPATIONS: [f64; 3] = [0.2, 1.0, 3.0];
+const TRIED_DISSIPATIONS_S_M: [f64; 3] = [0.2, 1.0, 3.0];
 /// The largest stiffness factor of the search; the smallest is its inverse.
 const LARGEST_STIFFNESS_FACTOR: f64 = 1e4;
 /// The largest dissipation of the search, s/m.
@@ -99,33 +99,34 @@ const MOST_RISE_WITHOUT_BOUND_M: f64 = 0.25;
 /// first, m.
 const MOST_SHIFT_OF_SPHERES_M: f64 = 0.25;
 /// The penalty per radius of depth beyond the bound, for one sphere, in body weights.
-const TOO_DEEP_BW: f64 = 200.0;
+const PENALTY_BW_PER_RADIUS: f64 = 200.0;
 /// A fit is nearly as good as the best one if its error is at most this many times larger, or at most `NEARLY_BEST_BW` larger.
 const NEARLY_BEST_FACTOR: f64 = 1.05;
 const NEARLY_BEST_BW: f64 = 0.005;
 /// In the search for the end of a range, the largest number of doublings of the step, before it is halved, and of halvings.
 const MOST_DOUBLINGS: usize = 4;
-const HALVINGS: usize = 6;
+const MOST_HALVINGS: usize = 6;
 /// The first step of a height in this search, m.
 const HEIGHT_STEP_M: f64 = 0.002;
 /// The largest number of frames per foot, roughly, for this search.
-const MOST_FRAMES: usize = 400;
+const MOST_FRAMES_PER_FOOT: usize = 400;
 
 /// The places of the unknowns: the logarithm of the stiffness factor, the dissipation (not a number where each sphere keeps its own),
 /// the distance by which spheres move down, and then a height of the floor for each trial.
-const STIFFNESS: usize = 0;
-const DISSIPATION: usize = 1;
-const SPHERES: usize = 2;
-const FLOORS: usize = 3;
+const INDEX_OF_STIFFNESS: usize = 0;
+const INDEX_OF_DISSIPATION: usize = 1;
+const INDEX_OF_SPHERES_DOWN: usize = 2;
+const FIRST_INDEX_OF_FLOORS: usize = 3;
 
 /// Calls `take` with contact force and measured force (body weights), foot by foot and frame by frame, for these unknowns.
 fn forces(trials: &[FitTrial], vector: &[f64], mut take: impl FnMut(f64, f64)) {
-    let factor = vector[STIFFNESS].exp();
-    for (trial, &up_m) in trials.iter().zip(&vector[FLOORS..]) {
+    let factor = vector[INDEX_OF_STIFFNESS].exp();
+    for (trial, &up_m) in trials.iter().zip(&vector[FIRST_INDEX_OF_FLOORS..]) {
         for foot in &trial.feet {
-            let law = |(law, _): &(Law, f64)| law.with_dissipation(vector[DISSIPATION]).unwrap_or(*law);
+            let law =
+                |(law, _): &(Law, f64)| law.with_dissipation(vector[INDEX_OF_DISSIPATION]).unwrap_or(*law);
             let laws: Vec<Law> = foot.laws.iter().map(law).collect();
-            for (measured_n, contacts) in foot.frames([up_m, vector[SPHERES]]) {
+            for (measured_n, contacts) in foot.frames([up_m, vector[INDEX_OF_SPHERES_DOWN]]) {
                 let sum: f64 = contacts.zip(&laws).map(|((x, rate), law)| law.force(x, rate)).sum();
                 take(factor * sum / trial.weight_n, measured_n / trial.weight_n);
             }
@@ -135,10 +136,11 @@ fn forces(trials: &[FitTrial], vector: &[f64], mut take: impl FnMut(f64, f64)) {
 
 /// x/R of the spheres, foot by foot and frame by frame; of none in frames in which the plates measured no force.
 fn loaded_depths(trials: &[FitTrial], vector: &[f64]) -> impl Iterator<Item = impl Iterator<Item = f64>> {
-    let moved = trials.iter().zip(&vector[FLOORS..]);
+    let moved = trials.iter().zip(&vector[FIRST_INDEX_OF_FLOORS..]);
     let feet = moved.flat_map(|(trial, up_m)| trial.feet.iter().map(move |foot| (foot, trial, *up_m)));
-    let frames =
-        feet.flat_map(move |(foot, trial, up_m)| foot.loaded([up_m, vector[SPHERES]], trial.weight_n));
+    let frames = feet.flat_map(move |(foot, trial, up_m)| {
+        foot.loaded([up_m, vector[INDEX_OF_SPHERES_DOWN]], trial.weight_n)
+    });
     frames.map(|spheres| spheres.map(|(x, radius_m)| x / radius_m))
 }
 
@@ -208,9 +210,9 @@ impl<'t> FitProblem<'t> {
     fn first_guess(&self) -> Result<Vec<f64>, FitError> {
         let FitBounds { stiffness, dissipation, height, spheres_move, .. } = self.bounds;
         let mut best: Option<(f64, Vec<f64>)> = None;
-        for alpha in if dissipation { DISSIPATIONS.to_vec() } else { vec![f64::NAN] } {
-            for step in 0..if height { FIRST_HEIGHTS } else { 1 } {
-                let part = (step as f64 + 0.5) / FIRST_HEIGHTS as f64;
+        for alpha in if dissipation { TRIED_DISSIPATIONS_S_M.to_vec() } else { vec![f64::NAN] } {
+            for step in 0..if height { COUNT_OF_TRIED_HEIGHTS } else { 1 } {
+                let part = (step as f64 + 0.5) / COUNT_OF_TRIED_HEIGHTS as f64;
                 let up_m = |(low, high): &(f64, f64)| if height { low + part * (high - low) } else { 0.0 };
                 let mut vector = vec![0.0, alpha, 0.0];
                 vector.extend(self.floors_m.iter().map(up_m));
@@ -225,9 +227,9 @@ impl<'t> FitProblem<'t> {
                 }
                 if stiffness {
                     let largest = LARGEST_STIFFNESS_FACTOR.ln();
-                    vector[STIFFNESS] = f64::ln(product / model_squared).clamp(-largest, largest);
+                    vector[INDEX_OF_STIFFNESS] = f64::ln(product / model_squared).clamp(-largest, largest);
                 }
-                let factor = vector[STIFFNESS].exp();
+                let factor = vector[INDEX_OF_STIFFNESS].exp();
                 let square = factor * factor * model_squared - 2.0 * factor * product + plates_squared;
                 if best.as_ref().is_none_or(|(least, _)| square < *least) {
                     best = Some((square, vector));
@@ -236,9 +238,9 @@ impl<'t> FitProblem<'t> {
         }
         let (_, mut vector) = best.ok_or(FitError::NoContact)?;
         if spheres_move {
-            vector[SPHERES] = vector[FLOORS];
-            let first_m = vector[FLOORS];
-            vector[FLOORS..].iter_mut().for_each(|up_m| *up_m -= first_m);
+            vector[INDEX_OF_SPHERES_DOWN] = vector[FIRST_INDEX_OF_FLOORS];
+            let first_m = vector[FIRST_INDEX_OF_FLOORS];
+            vector[FIRST_INDEX_OF_FLOORS..].iter_mut().for_each(|up_m| *up_m -= first_m);
         }
         Ok(vector)
     }
@@ -264,7 +266,7 @@ impl<'t> FitProblem<'t> {
         if let Some(most) = self.most_depth() {
             let excess = |depth: f64| (depth - most).max(0.0).powi(2);
             let penalties = loaded_depths(self.trials, vector)
-                .map(|depths| TOO_DEEP_BW * depths.map(excess).sum::<f64>().sqrt());
+                .map(|depths| PENALTY_BW_PER_RADIUS * depths.map(excess).sum::<f64>().sqrt());
             deviates.extend(penalties);
         }
         deviates
@@ -288,7 +290,7 @@ impl<'t> FitProblem<'t> {
         let rms_bw = self.rms_bw(best);
         let most_bw = (rms_bw * NEARLY_BEST_FACTOR).max(rms_bw + NEARLY_BEST_BW);
         let (low, high) = match &self.settings[place] {
-            _ if place == STIFFNESS => (f64::NEG_INFINITY, f64::INFINITY),
+            _ if place == INDEX_OF_STIFFNESS => (f64::NEG_INFINITY, f64::INFINITY),
             one => (one.limit_low, one.limit_up),
         };
         self.hold(place, true);
@@ -306,7 +308,7 @@ impl<'t> FitProblem<'t> {
                 inside += step;
                 step *= 2.0;
             }
-            for _ in 0..HALVINGS {
+            for _ in 0..MOST_HALVINGS {
                 step /= 2.0;
                 if is_near(inside + step) {
                     inside += step;
@@ -350,7 +352,7 @@ pub fn fit_motion(trials: &[FitTrial], bounds: &FitBounds) -> Result<MotionFit, 
     let (problem, best, covariance) = FitProblem::solve(trials, bounds)?;
     let thin = |foot: &FootForces| {
         let frames = foot.measured_n.len();
-        foot.in_frames((0..frames).step_by(frames.div_ceil(MOST_FRAMES).max(1)))
+        foot.in_frames((0..frames).step_by(frames.div_ceil(MOST_FRAMES_PER_FOOT).max(1)))
     };
     let thin_trial = |trial: &FitTrial| trial.with_feet(trial.feet.iter().map(thin).collect());
     let thinned: Vec<FitTrial> = trials.iter().map(thin_trial).collect();
@@ -365,22 +367,25 @@ pub fn fit_motion(trials: &[FitTrial], bounds: &FitBounds) -> Result<MotionFit, 
         })
     };
     let same = |value: f64| value;
-    let height = if bounds.spheres_move { SPHERES } else { FLOORS };
+    let height = if bounds.spheres_move { INDEX_OF_SPHERES_DOWN } else { FIRST_INDEX_OF_FLOORS };
     let covariance = |i: usize, j: usize| covariance[i * best.len() + j];
     let correlation = || {
-        covariance(STIFFNESS, height) / (covariance(STIFFNESS, STIFFNESS) * covariance(height, height)).sqrt()
+        covariance(INDEX_OF_STIFFNESS, height)
+            / (covariance(INDEX_OF_STIFFNESS, INDEX_OF_STIFFNESS) * covariance(height, height)).sqrt()
     };
     let rms_of_trial = |(number, trial): (usize, &FitTrial)| {
-        let vector = [&best[..FLOORS], &best[FLOORS + number..]].concat();
+        let vector = [&best[..FIRST_INDEX_OF_FLOORS], &best[FIRST_INDEX_OF_FLOORS + number..]].concat();
         errors(std::slice::from_ref(trial), &vector).vertical_rms_bw
     };
     let mut unchanged = vec![0.0; best.len()];
-    unchanged[DISSIPATION] = f64::NAN;
+    unchanged[INDEX_OF_DISSIPATION] = f64::NAN;
     Ok(MotionFit {
-        stiffness_factor: parameter(STIFFNESS, 1.0, f64::exp),
-        dissipation: parameter(DISSIPATION, 0.5, same),
-        spheres_down_m: parameter(SPHERES, HEIGHT_STEP_M, same),
-        floor_up_m: (FLOORS..best.len()).filter_map(|place| parameter(place, HEIGHT_STEP_M, same)).collect(),
+        stiffness_factor: parameter(INDEX_OF_STIFFNESS, 1.0, f64::exp),
+        dissipation: parameter(INDEX_OF_DISSIPATION, 0.5, same),
+        spheres_down_m: parameter(INDEX_OF_SPHERES_DOWN, HEIGHT_STEP_M, same),
+        floor_up_m: (FIRST_INDEX_OF_FLOORS..best.len())
+            .filter_map(|place| parameter(place, HEIGHT_STEP_M, same))
+            .collect(),
         stiffness_height_correlation: (bounds.stiffness && bounds.height).then(correlation),
         before: errors(trials, &unchanged),
         after: errors(trials, &best),

@@ -5,8 +5,8 @@ use osim_model::feet::DefaultPose;
 use osim_model::{DVec3, Model, SphereId};
 
 use crate::{
-    Belt, ContactPair, ContactState, ContactStates, Foot, MeasuredForces, ON_BW, Recording, StatesError,
-    TouchedSurface, Wrench,
+    Belt, ContactPair, ContactState, ContactStates, Foot, MeasuredForces, Recording, StatesError,
+    TOUCH_DOWN_BW, TouchedSurface, Wrench,
 };
 
 /// The data of one trial for a fit: the contacts of each foot in the frames in which the plates measured the force under it.
@@ -140,7 +140,7 @@ impl FootForces {
 
     /// Whether the plates measured a force under the foot.
     pub(crate) fn has_force(&self, weight_n: f64) -> bool {
-        self.measured_n.iter().any(|&force_n| force_n > ON_BW * weight_n)
+        self.measured_n.iter().any(|&force_n| force_n > TOUCH_DOWN_BW * weight_n)
     }
 
     /// The foot in these frames only.
@@ -174,7 +174,7 @@ impl FootForces {
         weight_n: f64,
     ) -> impl Iterator<Item = impl Iterator<Item = (f64, f64)>> {
         self.frames(moves_m).map(move |(measured_n, contacts)| {
-            let spheres = contacts.zip(&self.laws).filter(move |_| measured_n > ON_BW * weight_n);
+            let spheres = contacts.zip(&self.laws).filter(move |_| measured_n > TOUCH_DOWN_BW * weight_n);
             spheres.map(|((x, _), &(_, radius_m))| (x, radius_m))
         })
     }

@@ -26,7 +26,7 @@ mod table;
 
 pub use crate::comparison::{Comparison, ComparisonPlane, LeftOutForces};
 pub use crate::coordinates::{CoordinateKind, ModelCoordinate};
-pub use crate::feet::{Foot, ON_BW, StancePhase, strides};
+pub use crate::feet::{Foot, StancePhase, TOUCH_DOWN_BW, strides};
 pub use crate::joint_paths::Poses;
 pub use crate::pair::{ContactPair, TouchedSurface};
 pub use crate::plate_assignment::{AssignedBy, MeasuredForces, PlateAssignment};
@@ -35,7 +35,7 @@ pub use crate::recording::{Recording, RecordingFacts, RecordingOptions};
 pub use crate::sole::PressureOnSole;
 pub use crate::states::{Belt, CentreOfPressure, ContactState, ContactStates, StatesError, Wrench};
 pub use crate::summary::{FootSummary, SphereSummary, StanceSummary, Summary, TouchDown};
-pub use crate::table::{AngleUnit, CORRECTED, Column, Gap, MotionFault, Table};
+pub use crate::table::{AngleUnit, CORRECTED_HEADER_LINE, Column, Gap, MotionFault, Table};
 
 /// The example of the README, which must compile.
 #[cfg(doctest)]

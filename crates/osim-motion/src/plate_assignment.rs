@@ -3,7 +3,7 @@
 use osim_model::Side;
 
 use crate::comparison::percentile;
-use crate::feet::{Foot, OFF_BW, ON_BW};
+use crate::feet::{Foot, LIFT_OFF_BW, TOUCH_DOWN_BW};
 use crate::{ContactState, ContactStates, Plate, Wrench};
 
 /// The source of the knowledge which foot a plate measured.
@@ -106,7 +106,7 @@ impl MeasuredForces {
             add_to_frame(&mut self.total, frame, wrench);
             match (usage.by, wrench) {
                 (Some(AssignedBy::Nearest), Some(wrench)) => {
-                    let least_n = ON_BW * weight_n;
+                    let least_n = TOUCH_DOWN_BW * weight_n;
                     if let Some(foot) = nearest_foot(&wrench, feet, &may_be_on, states, frame, least_n) {
                         self.add_to_foot(foot, frame, Some(wrench));
                     }
@@ -194,7 +194,7 @@ fn nearest_foot(
 }
 
 /// Vertical speed of a foot's deepest sphere, m/s, below which the foot stands.
-const STILL_M_S: f64 = 0.2;
+const FASTEST_STILL_FOOT_M_S: f64 = 0.2;
 /// Plate force, in body weights, above which a frame counts for the usual depth of a standing foot.
 const LOADED_BW: f64 = 0.5;
 /// Quantile of the depths of a foot in frames with a plate force; a foot at this depth or deeper is as low as on a plate.
@@ -221,14 +221,16 @@ fn frames_beside_plates(
         percentile(&loaded.map(|(_, state)| state.indentation_m).collect::<Vec<f64>>(), quantile)
     };
     let usual_m = depth_m(LOADED_BW, 0.5).unwrap_or(f64::INFINITY);
-    let least_m = depth_m(ON_BW, LEAST_DEPTH_QUANTILE).unwrap_or(f64::INFINITY);
+    let least_m = depth_m(TOUCH_DOWN_BW, LEAST_DEPTH_QUANTILE).unwrap_or(f64::INFINITY);
     let is_low = |one: &Option<(f64, &ContactState)>| {
-        one.as_ref()
-            .is_some_and(|(force_n, state)| *force_n < OFF_BW * weight_n && state.indentation_m >= least_m)
+        one.as_ref().is_some_and(|(force_n, state)| {
+            *force_n < LIFT_OFF_BW * weight_n && state.indentation_m >= least_m
+        })
     };
     let stands = |one: &Option<(f64, &ContactState)>| {
-        one.as_ref()
-            .is_some_and(|(_, state)| state.indentation_m >= usual_m && state.rate_m_s.abs() < STILL_M_S)
+        one.as_ref().is_some_and(|(_, state)| {
+            state.indentation_m >= usual_m && state.rate_m_s.abs() < FASTEST_STILL_FOOT_M_S
+        })
     };
     let mut is_beside_in = Vec::with_capacity(frames.len());
     for run in frames.chunk_by(|before, after| is_low(before) == is_low(after)) {

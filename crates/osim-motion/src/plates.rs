@@ -82,7 +82,7 @@ impl Plate {
             columns.map_or(DVec3::ZERO, |columns| columns.map(|column| column.values[row]).into())
         };
         let is_point =
-            |column: &Column| column.values.iter().any(|&at| at != 0.0) || is_electrical(&column.name);
+            |column: &Column| column.values.iter().any(|&at| at != 0.0) || is_electrical_centre(&column.name);
         let has_points = point.into_iter().flatten().any(is_point);
         let wrenches = (0..table.rows())
             .map(|row| {
@@ -271,10 +271,10 @@ impl<'t> PlateColumns<'t> {
 }
 
 /// The begin of the names of columns with a plate's electrical centre: moments are about it.
-const ELECTRICAL: &str = "ec";
+const ELECTRICAL_CENTRE_PREFIX: &str = "ec";
 
-fn is_electrical(column: &str) -> bool {
-    column.to_ascii_lowercase().starts_with(ELECTRICAL)
+fn is_electrical_centre(column: &str) -> bool {
+    column.to_ascii_lowercase().starts_with(ELECTRICAL_CENTRE_PREFIX)
 }
 
 /// The quantity and the plate of columns with this stem; examples are `ground_force_v`, `1_ground_force_p`, `ground_torque_r_`,
@@ -285,7 +285,7 @@ fn quantity_and_plate(stem: &str) -> Option<(PlateQuantity, String)> {
     if !numbered.is_empty() && numbered.chars().all(|c| c.is_ascii_digit()) {
         let quantity = match lower.strip_suffix(numbered)? {
             "f" | "force" => PlateQuantity::Force,
-            "p" | "cop" | ELECTRICAL => PlateQuantity::CentreOfPressure,
+            "p" | "cop" | ELECTRICAL_CENTRE_PREFIX => PlateQuantity::CentreOfPressure,
             "m" | "t" | "moment" => PlateQuantity::Moment,
             _ => return None,
         };

@@ -15,7 +15,7 @@ const LEAST_ROWS: usize = 6;
 /// The largest number of rounds in which couplers that depend on each other are applied.
 const MOST_COUPLER_PASSES: usize = 8;
 /// Largest angle, rad, that is plausible in radians; if a file has larger angles, its unit is in doubt.
-const FULL_TURN: f64 = std::f64::consts::TAU;
+const LARGEST_PLAUSIBLE_ANGLE_RAD: f64 = std::f64::consts::TAU;
 
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct RecordingOptions {
@@ -305,13 +305,13 @@ fn angle_unit(
         }
     }
     match (largest, assumed) {
-        (Some((value, name)), AngleUnit::Radians) if value > FULL_TURN => {
+        (Some((value, name)), AngleUnit::Radians) if value > LARGEST_PLAUSIBLE_ANGLE_RAD => {
             Err(MotionFault::about_angle_unit(format!(
                 "its header does not say whether angles are in degrees or radians. OpenSim takes them for radians, but column '{name}' \
              goes to {value}, more than a full turn"
             )))
         }
-        (Some((value, name)), AngleUnit::Degrees) if value > 0.0 && value <= FULL_TURN => {
+        (Some((value, name)), AngleUnit::Degrees) if value > 0.0 && value <= LARGEST_PLAUSIBLE_ANGLE_RAD => {
             Err(MotionFault::about_angle_unit(format!(
                 "its header does not say whether angles are in degrees or radians. OpenSim takes them for degrees, but the largest angle, \
              {value} in column '{name}', would be a small movement"

@@ -3,7 +3,7 @@
 use osim_model::feet::{DefaultPose, PoseFault, ViewAxes};
 use osim_model::{DVec3, Model, Side};
 
-use crate::{ContactStates, FootSummary, ON_BW, Wrench};
+use crate::{ContactStates, FootSummary, TOUCH_DOWN_BW, Wrench};
 
 /// Smallest distance between the middles of the left and the right spheres at which the right side is known, m.
 const LEAST_DISTANCE_OF_SIDES_M: f64 = 1e-3;
@@ -93,7 +93,7 @@ impl PressureOnSole {
             let contacts = foot.foot.contacts(states, frame);
             let places: Vec<[f64; 2]> = contacts.map(|state| flat(state.centre_m)).collect();
             let on_plane_m = states.frame(frame).get(first)?.on_surface_m(pairs.first()?.radius_m);
-            let centre = wrench.centre_of_pressure(normal, on_plane_m, ON_BW * weight_n)?;
+            let centre = wrench.centre_of_pressure(normal, on_plane_m, TOUCH_DOWN_BW * weight_n)?;
             Some(in_foot_axes(&spheres_m, &places, flat(centre.point_m)))
         };
         let each = |wrenches: &mut dyn Iterator<Item = Option<Wrench>>| {

@@ -6,7 +6,7 @@ use contact_scaling::{limits, restitution};
 use osim_model::DVec3;
 
 use crate::comparison::{Comparison, ComparisonPlane, percentile};
-use crate::feet::{Foot, ON_BW, StancePhase, strides};
+use crate::feet::{Foot, StancePhase, TOUCH_DOWN_BW, strides};
 use crate::plate_assignment::MeasuredForces;
 use crate::states::{CentreOfPressure, ContactState, ContactStates, Wrench};
 
@@ -202,7 +202,7 @@ impl FootSummary {
                 .flatten()
                 .map(|state| state.indentation_m)
                 .fold(f64::NEG_INFINITY, f64::max),
-            stance_slip_m_s: median_vector(&standing_states),
+            stance_slip_m_s: median_slip_m_s(&standing_states),
             spheres: foot.pairs.iter().map(|&pair| SphereSummary::of(states, pair)).collect(),
             comparison: on
                 .zip(plates)
@@ -240,7 +240,7 @@ fn comparison_plane(
     let &pair = foot.pairs.first()?;
     let (state, radius_m) = (states.frame(0).get(pair)?, states.pairs.get(pair)?.radius_m);
     let point_m = state.on_surface_m(radius_m);
-    Some(ComparisonPlane { normal: state.normal, point_m, least_n: ON_BW * weight_n, has_points })
+    Some(ComparisonPlane { normal: state.normal, point_m, least_n: TOUCH_DOWN_BW * weight_n, has_points })
 }
 
 impl StanceSummary {
@@ -325,7 +325,7 @@ fn largest_with_index(values: &[f64]) -> (usize, f64) {
     best
 }
 
-fn median_vector(states: &[&ContactState]) -> Option<DVec3> {
+fn median_slip_m_s(states: &[&ContactState]) -> Option<DVec3> {
     let median = |axis: usize| {
         let parts: Vec<f64> = states.iter().map(|state| state.slip_m_s[axis]).collect();
         percentile(&parts, 0.5)

@@ -36,14 +36,14 @@ pub struct Column {
 }
 
 /// The begin of a line in the header of a corrected motion.
-pub const CORRECTED: &str = "corrected to contacts";
+pub const CORRECTED_HEADER_LINE: &str = "corrected to contacts";
 
 impl Table {
     /// A table without columns; times must rise.
     #[cfg(test)]
     pub(crate) fn from_times(time_s: Vec<f64>) -> Result<Self, MotionFault> {
         let lines: Vec<usize> = (1..=time_s.len()).collect();
-        check_rising(&time_s, &lines)?;
+        refuse_falling_times(&time_s, &lines)?;
         Ok(Self { time_s, declared: Some(AngleUnit::Radians), has_version: true, lines, ..Self::default() })
     }
 
@@ -128,7 +128,7 @@ impl Table {
                 self.declared = Some(if yes { AngleUnit::Degrees } else { AngleUnit::Radians });
             }
             "version" => self.has_version = true,
-            _ if lower.starts_with(CORRECTED) => self.corrected = true,
+            _ if lower.starts_with(CORRECTED_HEADER_LINE) => self.corrected = true,
             _ if lower.contains("angles are in degrees") => self.read_sentence(AngleUnit::Degrees),
             _ if lower.contains("angles are in radians") => self.read_sentence(AngleUnit::Radians),
             _ => {}
@@ -142,7 +142,7 @@ impl Table {
 }
 
 /// Checks that times are finite and rise.
-fn check_rising(time_s: &[f64], lines: &[usize]) -> Result<(), MotionFault> {
+fn refuse_falling_times(time_s: &[f64], lines: &[usize]) -> Result<(), MotionFault> {
     if let Some((time, line)) = time_s.iter().zip(lines).find(|(time, _)| !time.is_finite()) {
         return Err(MotionFault::at(*line, format!("its time is {time}, expected a finite number")));
     }
@@ -212,7 +212,7 @@ impl Table {
         if time_s.is_empty() {
             return Err(MotionFault::new("it has no rows of numbers"));
         }
-        check_rising(&time_s, &numbers)?;
+        refuse_falling_times(&time_s, &numbers)?;
         (self.time_s, self.columns, self.lines) = (time_s, columns, numbers);
         Ok(())
     }
@@ -242,7 +242,7 @@ fn shortened(text: &str) -> String {
 
 /// A time step counts as a gap if it is more than this many times as long as the usual step. A smaller difference can come from
 /// rounding.
-const GAP_STEPS: f64 = 1.5;
+const LEAST_GAP_IN_STEPS: f64 = 1.5;
 
 /// A time span in which rows are missing.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -278,7 +278,7 @@ impl Table {
             return Vec::new();
         }
         let (_, usual_s, _) = lengths.select_nth_unstable_by(middle, f64::total_cmp);
-        let longest_usual_s = GAP_STEPS * *usual_s;
+        let longest_usual_s = LEAST_GAP_IN_STEPS * *usual_s;
         steps.filter(|step| step.length_s() > longest_usual_s).collect()
     }
 }

@@ -3,8 +3,8 @@
 use osim_model::messages::{Input, Phrase, phrase};
 use osim_model::{DVec3, Model};
 use osim_motion::correct::{
-    Correction, CorrectionFigures, CorrectionOptions, FootErrors, ForceErrors, Mismatch, Verdict, correct,
-    mismatches,
+    Correction, CorrectionFigures, CorrectionOptions, FootErrors, ForceErrors, Mismatch, MotionVerdict,
+    correct, mismatches,
 };
 use osim_motion::{Belt, ContactStates, Foot, MeasuredForces, Recording};
 use osim_requests::{MotionRequest, Signed};
@@ -28,7 +28,7 @@ pub(crate) fn two_digits(value: f64) -> String {
 /// The verdict on a motion, contacts and plates, and the corrected motion.
 #[derive(Debug, Clone)]
 pub struct Consistency {
-    pub verdict: Verdict,
+    pub verdict: MotionVerdict,
     /// The verdict in a sentence.
     pub why: Phrase,
     /// The verdict and its figures in sentences.
@@ -69,7 +69,7 @@ impl Consistency {
         if let Some(cause) = seen.iter().find(|cause| cause.prevents()) {
             let why = phrase!["contacts and plates do not agree: ", &cause_in_words(cause, feet)];
             let remarks = vec![MotionRemark { code: "disagree", message: why.clone() }];
-            return Ok(Consistency { verdict: Verdict::Disagree, why, remarks, correction: None });
+            return Ok(Consistency { verdict: MotionVerdict::Disagree, why, remarks, correction: None });
         }
         let correction = correct(model, recording, (states, feet), measured, weight_n, options)
             .map_err(|fault| fault.to_string())?;
@@ -130,7 +130,7 @@ fn cause_in_words(cause: &Mismatch, feet: &[Foot]) -> Phrase {
 }
 
 /// The verdict in a sentence.
-fn sentence(verdict: Verdict, causes: &[Mismatch], feet: &[Foot], correction: &Correction) -> Phrase {
+fn sentence(verdict: MotionVerdict, causes: &[Mismatch], feet: &[Foot], correction: &Correction) -> Phrase {
     let figures = &correction.figures;
     let side = if correction.floor_up_m < 0.0 { "lower" } else { "higher" };
     let (lift, floor) = (millimetres(figures.lift_p95_m), millimetres(correction.floor_up_m));
@@ -140,11 +140,11 @@ fn sentence(verdict: Verdict, causes: &[Mismatch], feet: &[Foot], correction: &C
     let left = two_digits(figures.worst(|foot| foot.after.vertical_bw));
     let large = "contacts and plates agree after a large correction only, as in half of all recordings";
     match verdict {
-        Verdict::Agree => format!("contacts and plates agree: {moves}").into(),
-        Verdict::LargeCorrection => {
+        MotionVerdict::Agree => format!("contacts and plates agree: {moves}").into(),
+        MotionVerdict::LargeCorrection => {
             format!("{large}: {moves}; the vertical force is off by {left} body weights").into()
         }
-        Verdict::Disagree => {
+        MotionVerdict::Disagree => {
             let mut text = Phrase::from("contacts and plates do not agree: ");
             for cause in causes {
                 text.push(&phrase![&cause_in_words(cause, feet), "; "]);

@@ -6,10 +6,10 @@ use osim_inspect::describe_unmatched_patterns;
 use osim_model::Finding;
 use osim_model::files::Files;
 use osim_model::messages::{Phrase, Verb, four_significant, listed, phrase, readable};
-use osim_motion::correct::Verdict;
+use osim_motion::correct::MotionVerdict;
 use osim_motion::{
-    AngleUnit, AssignedBy, Comparison, FootSummary, LeftOutForces, ON_BW, Plate, PlateAssignment,
-    PressureOnSole, SphereSummary, Summary,
+    AngleUnit, AssignedBy, Comparison, FootSummary, LeftOutForces, Plate, PlateAssignment, PressureOnSole,
+    SphereSummary, Summary, TOUCH_DOWN_BW,
 };
 use osim_requests::options::InspectionOptions;
 use osim_requests::{CheckRequest, MotionRequest, RequestError};
@@ -90,7 +90,7 @@ impl MotionResult {
                 text.push_str(&format!(" (R {} mm)", two_digits(1e3 * radius_m)));
             }
         }
-        let hardly = |plate: &Comparison| plate.measured_peak_n <= ON_BW * self.summary.weight_n;
+        let hardly = |plate: &Comparison| plate.measured_peak_n <= TOUCH_DOWN_BW * self.summary.weight_n;
         if foot.comparison.as_ref().is_some_and(hardly) {
             text.push_str(": hardly any step of it is on a plate");
         }
@@ -259,7 +259,7 @@ fn judge_fit(result: &MotionResult) -> Result<Result<Phrase, Finding>, Phrase> {
         why.push(&worse);
     }
     Ok(match judged.verdict {
-        Verdict::Agree => Ok(why),
-        verdict => Err(rules::unlike_recording(verdict == Verdict::LargeCorrection, why)),
+        MotionVerdict::Agree => Ok(why),
+        verdict => Err(rules::unlike_recording(verdict == MotionVerdict::LargeCorrection, why)),
     })
 }

@@ -9,8 +9,8 @@ use osim_inspect::{
 use osim_model::files::{Failure, Files, OpenModel};
 use osim_model::messages::{Input, Phrase, Verb, phrase, readable};
 use osim_model::{
-    Assignment, Fault, FaultKind, FileId, Finding, MassRequest, MissingFact, Model, Property, Question,
-    Suspicion,
+    Assignment, Fault, FaultKind, FileId, Finding, MassRequest, MissingFact, Model, Property, Suspicion,
+    YesQuestion,
 };
 use osim_patch::{Plan, Set, set};
 use osim_requests::options::{AnswerOptions, InspectionOptions, OutputOptions, SetFiles};
@@ -175,10 +175,10 @@ impl PreparedChange {
     /// Asks a question about radii that look like a typing mistake or another unit, and adds a remark if a mass is perhaps in pounds.
     fn ask_about_radii(&self, model: &Model, mut plan: Plan) -> Result<Plan, Fault> {
         let question = masses_perhaps_in_pounds(&self.masses(), model, &self.options.selection);
-        let is_meant = self.answers.confirms(Question::MassInPounds);
+        let is_meant = self.answers.confirms(YesQuestion::MassInPounds);
         plan.remarks.extend(question.filter(|_| !is_meant).map(|question| question.doubt()));
         match plan.implausible_radius(model) {
-            Some(fault) if !self.answers.confirms(Question::ImplausibleRadius) => Err(fault),
+            Some(fault) if !self.answers.confirms(YesQuestion::ImplausibleRadius) => Err(fault),
             _ => Ok(plan),
         }
     }
@@ -228,7 +228,7 @@ fn question_against_note(given: &MassRequest, model: &Model) -> Option<Suspicion
         or give each model its mass in a table ({})";
         Input::ContactsMass.with_value(readable(said_kg)), readable(noted_kg), Verb::Batch.call()
     ];
-    Some(Suspicion::Other { question: Question::AgainstNote, text })
+    Some(Suspicion::Other { question: YesQuestion::AgainstNote, text })
 }
 
 /// The file's name without its folders, for notes and messages.

@@ -10,8 +10,8 @@ use osim_model::feet::{MOST_LEAN_RAD, PoseFault, Standing};
 use osim_model::files::{Failure, Files, OpenModel};
 use osim_model::messages::{Input, Phrase, Verb, phrase};
 use osim_model::{
-    Fault, Finding, FindingCode, Limb, Model, Property, Question, Severity, Source, Suspicion, is_at_target,
-    same_mass,
+    Fault, Finding, FindingCode, Limb, Model, Property, Severity, Source, Suspicion, YesQuestion,
+    is_at_target, same_mass,
 };
 use osim_patch::{ChangedBy, Plan, StepDetails};
 use osim_requests::NoteDetails;
@@ -114,7 +114,7 @@ impl PreparedChange {
         // A change that is taken back gives a model that was there before: nobody has to be asked about it.
         let is_confirmed = matches!(self.verb, Verb::Set | Verb::Design | Verb::Fit)
             || plan.restores_original()
-            || self.answers.confirms(Question::WrongAfterwards);
+            || self.answers.confirms(YesQuestion::WrongAfterwards);
         // Where lower spheres carry the body alone, the change is wrong only if it moved bottoms apart: else they hung lower before.
         let has_parted = !moved.uneven.is_empty();
         let is_too_soft = inspected.as_ref().is_some_and(sinks_in_to_centres);
@@ -261,7 +261,7 @@ fn question_about(wrong: &Finding, has_parted: bool) -> Suspicion {
         "the model would be wrong afterwards [{}]: {}. {}";
         wrong.code().as_str(), &wrong.message, &advice
     ];
-    Suspicion::Other { question: Question::WrongAfterwards, text }
+    Suspicion::Other { question: YesQuestion::WrongAfterwards, text }
 }
 
 /// A finding about the new model for people who have only the old file. Its line is left out, because it is a line of the new file.

@@ -20,7 +20,7 @@ use scaling::{
 /// Inputs of each function of `contact-scaling`, and its values in 50-digit arithmetic.
 const REFERENCE_VALUES: &str = include_str!("../../contact-scaling/tests/data/reference.csv");
 /// Largest relative difference from the reference. It is the largest tolerance in the tests of `contact-scaling`.
-const RELATIVE_TOLERANCE: f64 = 2e-14;
+const RELATIVE_ROUNDING_ERROR: f64 = 2e-14;
 const PAGE_OF_EQUATIONS: &str = include_str!("../../../docs/reference/equations.md");
 
 /// Functions on the page of equations that Python does not have, each with the reason.
@@ -83,7 +83,7 @@ fn arguments_from_row(function: &Function, inputs: &[f64]) -> Vec<f64> {
 #[track_caller]
 fn assert_close(value: f64, expected: f64, what: &str) {
     assert!(
-        (value - expected).abs() <= RELATIVE_TOLERANCE * expected.abs(),
+        (value - expected).abs() <= RELATIVE_ROUNDING_ERROR * expected.abs(),
         "{what}: {value:e}, expected {expected:e}"
     );
 }

@@ -1,4 +1,4 @@
-//! Answers questions of the web page about models in memory.
+//! Answers calls of the web page about models in memory.
 
 use std::path::Path;
 use std::rc::Rc;
@@ -15,14 +15,14 @@ use wasm_bindgen::prelude::wasm_bindgen;
 
 use crate::change::{PlannedChange, Report, report_name};
 use crate::given_files::GivenFiles;
-use crate::knowledge::{self, EngineQuestion, Fields, SpelledCalls};
+use crate::knowledge::{self, EngineCall, Fields, SpelledCalls};
 use crate::opened_model::{self, OpenedModel};
 use crate::problem::Problem;
 
 /// Most models that stay open, because the page looks at one model and compares it with others.
 const MAX_OPEN_MODELS: usize = 4;
 
-/// Keeps files in memory, and answers questions about the models in them.
+/// Keeps files in memory, and answers calls about the models in them.
 ///
 /// ```
 /// use osim_web::Engine;
@@ -79,11 +79,11 @@ impl Engine {
         Some(self.last.as_ref()?.results.get(index)?.bytes.clone())
     }
 
-    /// Answers an [`EngineQuestion`] in JSON. The answer is `{"ok": ...}`, or `{"error": ...}` with the fault and a way out.
-    pub fn call(&mut self, question: &str) -> String {
-        let answer = match serde_json::from_str(question) {
-            Ok(question) => self.answer(question),
-            Err(error) => Err(Problem::question(format!("this question cannot be understood: {error}"))),
+    /// Answers an [`EngineCall`] in JSON. The answer is `{"ok": ...}`, or `{"error": ...}` with the fault and a way out.
+    pub fn call(&mut self, call: &str) -> String {
+        let answer = match serde_json::from_str(call) {
+            Ok(call) => self.answer(call),
+            Err(error) => Err(Problem::wrong_call(format!("this question cannot be understood: {error}"))),
         };
         answer.unwrap_or_else(|problem| {
             let error = json!({ "error": problem });
@@ -102,38 +102,38 @@ fn ok_answer(answer: impl Serialize) -> Result<String, Problem> {
 }
 
 impl Engine {
-    fn answer(&mut self, question: EngineQuestion) -> Result<String, Problem> {
-        match question {
-            EngineQuestion::Look { model, fields, parts } => {
+    fn answer(&mut self, call: EngineCall) -> Result<String, Problem> {
+        match call {
+            EngineCall::Look { model, fields, parts } => {
                 let inspector = opened_model::inspector(&model, fields, &self.files)?;
                 let opened = self.open(Path::new(&model), &inspector.set_files)?;
                 ok_answer(opened_model::inspect_for_page(&inspector, &opened, parts.as_deref(), &self.files)?)
             }
-            EngineQuestion::Bones { model, fields } => {
+            EngineCall::Bones { model, fields } => {
                 let inspector = opened_model::inspector(&model, fields, &self.files)?;
                 let opened = self.open(Path::new(&model), &inspector.set_files)?;
                 ok_answer(BoneSurfaces::of(&opened.model.model, Path::new(&model), &self.files))
             }
-            EngineQuestion::Play { request } => {
+            EngineCall::Play { request } => {
                 ok_answer(opened_model::play_recording(Request::from_map(request)?, &self.files)?)
             }
-            EngineQuestion::Change { request, parts } => {
+            EngineCall::Change { request, parts } => {
                 self.last = None;
                 let planned = self.plan(Request::from_map(request)?, &Page)?;
                 let answer = ok_answer(planned.shown(parts.as_deref(), &self.files)?);
                 self.last = Some(planned);
                 answer
             }
-            EngineQuestion::Diff => ok_answer(json!({ "text": self.last_change()?.diff() })),
-            EngineQuestion::Keep => self.keep_last_change(),
-            EngineQuestion::Report { request } => ok_answer(self.report(request)?),
-            EngineQuestion::Calculate { request } => {
+            EngineCall::Diff => ok_answer(json!({ "text": self.last_change()?.diff() })),
+            EngineCall::Keep => self.keep_last_change(),
+            EngineCall::Report { request } => ok_answer(self.report(request)?),
+            EngineCall::Calculate { request } => {
                 ok_answer(knowledge::calculate(&Request::from_map(request)?)?)
             }
-            EngineQuestion::Spell { request } => ok_answer(SpelledCalls::of(&Request::from_map(request)?)),
-            EngineQuestion::Animals => ok_answer(AnimalFall::all().map_err(Problem::defect)?),
-            EngineQuestion::Explain { topic } => ok_answer(json!({ "text": knowledge::explain(&topic)? })),
-            EngineQuestion::Presets { fields } => ok_answer(knowledge::presets(fields, &self.files)?),
+            EngineCall::Spell { request } => ok_answer(SpelledCalls::of(&Request::from_map(request)?)),
+            EngineCall::Animals => ok_answer(AnimalFall::all().map_err(Problem::defect)?),
+            EngineCall::Explain { topic } => ok_answer(json!({ "text": knowledge::explain(&topic)? })),
+            EngineCall::Presets { fields } => ok_answer(knowledge::presets(fields, &self.files)?),
         }
     }
 
@@ -153,19 +153,19 @@ impl Engine {
     fn plan(&mut self, request: Request, words: &'static dyn FrontEnd) -> Result<PlannedChange, Problem> {
         let change: PreparedChange = prepare(request, &self.files)?;
         let [path] = change.models.as_slice() else {
-            return Err(Problem::question("a change is of one model"));
+            return Err(Problem::wrong_call("a change is of one model"));
         };
         let opened = self.open(&path.clone(), &change.set_files)?;
         PlannedChange::new(change, opened, &self.files, words)
     }
 
     fn last_change(&self) -> Result<&PlannedChange, Problem> {
-        self.last.as_ref().ok_or_else(|| Problem::question("there is no change yet"))
+        self.last.as_ref().ok_or_else(|| Problem::wrong_call("there is no change yet"))
     }
 
     /// Adds the results of the last change to the files in memory.
     fn keep_last_change(&mut self) -> Result<String, Problem> {
-        let planned = self.last.take().ok_or_else(|| Problem::question("there is no change yet"))?;
+        let planned = self.last.take().ok_or_else(|| Problem::wrong_call("there is no change yet"))?;
         let mut names = Vec::new();
         if planned.is_unchanged() {
             return ok_answer(json!({ "model": planned.path(), "names": names }));
@@ -184,7 +184,7 @@ impl Engine {
         let verb = request.verb();
         if let Request::Inspect(request) = &request {
             let [path] = request.models.as_slice() else {
-                return Err(Problem::question("this report is about one model"));
+                return Err(Problem::wrong_call("this report is about one model"));
             };
             let inspector = Inspector::for_inspect(request, &self.files);
             let opened = self.open(path, &inspector.set_files)?;

@@ -1,4 +1,4 @@
-//! The questions that the web page can ask, and answers that need no model: calculations, explanations, presets.
+//! The calls that the web page can make, and answers that need no model: calculations, explanations, presets.
 
 use osim_planning::{DesignSheet, design_sheet, find_presets};
 use osim_requests::Request;
@@ -21,7 +21,7 @@ pub(crate) struct Calculation {
 
 pub(crate) fn calculate(request: &Request) -> Result<Calculation, Problem> {
     let Request::Design(request) = request else {
-        return Err(Problem::question("only a request for design calculates without a model"));
+        return Err(Problem::wrong_call("only a request for design calculates without a model"));
     };
     let sheet = design_sheet(request)?;
     let text = design_sheet_text(&sheet, None);
@@ -50,7 +50,7 @@ pub(crate) fn explain(topic: &str) -> Result<String, Problem> {
     let fields: Fields = fields.map(|(name, value)| (name.to_owned(), value.into())).into_iter().collect();
     let Request::Explain(request) = Request::from_map(fields)? else { return Ok(String::new()) };
     answer(&request, Alphabet::Unicode, &Page, WIDTH)
-        .map_err(|unknown| Problem::question(unknown.message(&Page)))
+        .map_err(|unknown| Problem::wrong_call(unknown.message(&Page)))
 }
 
 // A request as calls that people can copy: of the command, of Python, of MATLAB.
@@ -76,15 +76,15 @@ impl SpelledCalls {
     }
 }
 
-// What the page may ask.
+// What the page may call.
 
 /// The fields of a request, as `schemas/requests/` has them.
 pub(crate) type Fields = Map<String, Value>;
 
-/// A question of the page, in JSON: `{"do": "look", "model": "human.osim"}`.
+/// A call of the page, in JSON: `{"do": "look", "model": "human.osim"}`.
 #[derive(Debug, Deserialize)]
 #[serde(tag = "do", rename_all = "lowercase", deny_unknown_fields)]
-pub enum EngineQuestion {
+pub enum EngineCall {
     /// Asks for the contents of a model, and for what is wrong with it. `fields` are those of a request to inspect; with `from`, of one to
     /// check. `parts` are the sections to make; `None` for all.
     Look {

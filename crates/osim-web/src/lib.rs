@@ -1,7 +1,7 @@
-//! The Rust part of the web page in `web/`: files in memory, questions in JSON, answers in JSON.
+//! The Rust part of the web page in `web/`: files in memory, calls in JSON, answers in JSON.
 //!
-//! The crate only calls the other crates and computes nothing itself. The page puts the bytes of files into an [`Engine`] and asks
-//! [`EngineQuestion`]s. The answers are JSON, which contains HTML as in reports; the bytes of changed files can be fetched, too.
+//! The crate only calls the other crates and computes nothing itself. The page puts the bytes of files into an [`Engine`] and makes
+//! [`EngineCall`]s. The answers are JSON, which contains HTML as in reports; the bytes of changed files can be fetched, too.
 //!
 //! # What it will not do
 //!
@@ -16,4 +16,4 @@ mod opened_model;
 mod problem;
 
 pub use crate::engine::Engine;
-pub use crate::knowledge::EngineQuestion;
+pub use crate::knowledge::EngineCall;

@@ -198,7 +198,7 @@ pub(crate) fn play_recording(request: Request, given_files: &GivenFiles) -> Resu
         Request::Motion(request) => {
             Ok(PlayedRecording::of(&run_motion(&request, given_files)?, &request, &Page))
         }
-        other => Err(Problem::question(format!("{} follows no recording", other.verb().name()))),
+        other => Err(Problem::wrong_call(format!("{} follows no recording", other.verb().name()))),
     }
 }
 
@@ -242,7 +242,7 @@ pub(crate) struct VerdictWithQuestion {
 impl VerdictWithQuestion {
     /// Every verdict of a check.
     pub(crate) fn all(verdicts: &[Verdict]) -> Vec<Self> {
-        let shown = |verdict: &Verdict| Self { question: verdict.on.question(), verdict: verdict.clone() };
+        let shown = |verdict: &Verdict| Self { question: verdict.on.as_question(), verdict: verdict.clone() };
         verdicts.iter().map(shown).collect()
     }
 }

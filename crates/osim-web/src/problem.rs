@@ -54,8 +54,8 @@ impl MarkedLine {
 }
 
 impl Problem {
-    /// The error for a wrong question, which is a defect of the page.
-    pub(crate) fn question(message: impl Into<Phrase>) -> Self {
+    /// The error for a wrong call, which is a defect of the page.
+    pub(crate) fn wrong_call(message: impl Into<Phrase>) -> Self {
         Self::with_code("usage", &message.into())
     }
 

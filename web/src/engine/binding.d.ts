@@ -9,7 +9,7 @@ declare module "osim-engine" {
     remove(name: string): void;
     bytes(name: string): Uint8Array | undefined;
     result(index: number): Uint8Array | undefined;
-    call(question: string): string;
+    call(call: string): string;
   }
   export function initSync(options: { module: BufferSource }): unknown;
   /** Creates a new instance of the module; older objects belong to the old instance. */

@@ -36,19 +36,19 @@ export class Client {
   put = (name: string, bytes: Uint8Array) => this.#send<null>({ do: "put", name, bytes }, [bytes.buffer]);
   remove = (name: string) => this.#send<null>({ do: "remove", name });
   bytes = (name: string) => this.#send<Uint8Array | null>({ do: "bytes", name });
-  inspect = (model: string, fields: Record<string, unknown>, parts: string[]) => this.#ask<Inspected>({ do: "look", model, fields, parts });
-  bones = (model: string, fields: Record<string, unknown>) => this.#ask<Bones>({ do: "bones", model, fields });
-  change = (request: Request, parts: string[]) => this.#ask<Change>({ do: "change", request, parts });
+  inspect = (model: string, fields: Record<string, unknown>, parts: string[]) => this.#call<Inspected>({ do: "look", model, fields, parts });
+  bones = (model: string, fields: Record<string, unknown>) => this.#call<Bones>({ do: "bones", model, fields });
+  change = (request: Request, parts: string[]) => this.#call<Change>({ do: "change", request, parts });
   keep = (request: Request, parts: string[]) => this.#send<ChangeThen<Kept>>({ do: "then", request, parts, next: "keep" });
   diff = (request: Request) => this.#send<ChangeThen<{ text: string }>>({ do: "then", request, parts: ["changes"], next: "diff" });
   files = (request: Request) => this.#send<Files>({ do: "files", request });
-  report = (request: Request) => this.#ask<{ name: string; html: string }>({ do: "report", request });
-  calculate = (request: Request) => this.#ask<{ sheet: Sheet; text: string }>({ do: "calculate", request });
-  spell = (request: Request) => this.#ask<Spelled>({ do: "spell", request });
-  explain = (topic: string) => this.#ask<{ text: string }>({ do: "explain", topic });
-  play = (request: Record<string, unknown>) => this.#ask<PlayedMotion>({ do: "play", request });
-  animals = () => this.#ask<AnimalFall[]>({ do: "animals" });
-  presets = (fields: Record<string, unknown> = {}) => this.#ask<Preset[]>({ do: "presets", fields });
+  report = (request: Request) => this.#call<{ name: string; html: string }>({ do: "report", request });
+  calculate = (request: Request) => this.#call<{ sheet: Sheet; text: string }>({ do: "calculate", request });
+  spell = (request: Request) => this.#call<Spelled>({ do: "spell", request });
+  explain = (topic: string) => this.#call<{ text: string }>({ do: "explain", topic });
+  play = (request: Record<string, unknown>) => this.#call<PlayedMotion>({ do: "play", request });
+  animals = () => this.#call<AnimalFall[]>({ do: "animals" });
+  presets = (fields: Record<string, unknown> = {}) => this.#call<Preset[]>({ do: "presets", fields });
   zipBegin = () => this.#send<null>({ do: "zip-begin" });
   zipAdd = (request: Request) => this.#send<Change>({ do: "zip-add", request });
   zipEnd = () => this.#send<Uint8Array>({ do: "zip-end" });
@@ -74,8 +74,8 @@ export class Client {
     this.#worker.postMessage({ id: 0, task: { do: "warm-up", example } satisfies Task });
   }
 
-  #ask<T>(question: Record<string, unknown>): Promise<T> {
-    return this.#send<T>({ do: "ask", question });
+  #call<T>(call: Record<string, unknown>): Promise<T> {
+    return this.#send<T>({ do: "call", call });
   }
 
   #send<T>(task: Task, transfer: Transferable[] = []): Promise<T> {

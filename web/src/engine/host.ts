@@ -57,11 +57,11 @@ export class EngineHost {
     return this.#runningEngine().result(index);
   }
 
-  call(question: string): string {
+  call(call: string): string {
     const engine = this.#runningEngine();
     // The date in UTC, as in the other programs.
     engine.set_today(new Date().toISOString().slice(0, 10));
-    return engine.call(question);
+    return engine.call(call);
   }
 
   /** Stores files that the engine has made. */

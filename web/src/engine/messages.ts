@@ -9,10 +9,10 @@ export type Task =
   | { do: "put"; name: string; bytes: Uint8Array }
   | { do: "remove"; name: string }
   | { do: "bytes"; name: string }
-  | { do: "ask"; question: Record<string, unknown> }
+  | { do: "call"; call: Record<string, unknown> }
   /** Plans a change, and returns its result files in the same answer. */
   | { do: "files"; request: Request }
-  /** Plans a change, and asks a second question about it in the same task. */
+  /** Plans a change, and makes a second call about it in the same task. */
   | { do: "then"; request: Request; parts: string[]; next: "keep" | "diff" }
   | { do: "zip-begin" }
   | { do: "zip-add"; request: Request }

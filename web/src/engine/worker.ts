@@ -40,21 +40,21 @@ function runTask(task: Exclude<Task, { do: "start" }>, engine: EngineHost): Answ
     case "put": return { ok: engine.put(task.name, task.bytes) ?? null };
     case "remove": return { ok: engine.remove(task.name) ?? null };
     case "bytes": return { ok: engine.bytes(task.name) ?? null };
-    case "ask": return askEngine(engine, task.question);
+    case "call": return callEngine(engine, task.call);
     case "files": return changedFiles(engine, task.request);
-    case "then": return changeThenAsk(engine, task);
+    case "then": return changeThenCall(engine, task);
     case "zip-begin": archive = new Archive(); return { ok: null };
     case "zip-add": return addToZip(engine, task.request);
     case "zip-end": return { ok: archive.end() };
   }
 }
 
-function askEngine<T>(engine: EngineHost, question: Record<string, unknown>): Answer<T> {
-  return JSON.parse(engine.call(JSON.stringify(question))) as Answer<T>;
+function callEngine<T>(engine: EngineHost, call: Record<string, unknown>): Answer<T> {
+  return JSON.parse(engine.call(JSON.stringify(call))) as Answer<T>;
 }
 
 function requestChange(engine: EngineHost, request: Request, parts: string[]): Answer<Change> {
-  return askEngine<Change>(engine, { do: "change", request, parts });
+  return callEngine<Change>(engine, { do: "change", request, parts });
 }
 
 function changedFiles(engine: EngineHost, request: Request): Answer<Files> {
@@ -64,10 +64,10 @@ function changedFiles(engine: EngineHost, request: Request): Answer<Files> {
   return { ok: { change: change.ok, files: results } };
 }
 
-function changeThenAsk(engine: EngineHost, { request, parts, next }: Extract<Task, { do: "then" }>): Answer<unknown> {
+function changeThenCall(engine: EngineHost, { request, parts, next }: Extract<Task, { do: "then" }>): Answer<unknown> {
   const change = requestChange(engine, request, parts);
   if (failed(change)) return change;
-  const answer = askEngine<unknown>(engine, { do: next });
+  const answer = callEngine<unknown>(engine, { do: next });
   if (failed(answer)) return answer;
   if (next === "keep") engine.rememberFiles(change.ok.results.map(({ name }) => name));
   return { ok: { change: change.ok, next: answer.ok } };

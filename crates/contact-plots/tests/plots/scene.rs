@@ -128,7 +128,7 @@ fn hundreds_of_names_are_left_out_with_a_remark() {
     let block = Block {
         title: "Platform".to_owned(),
         remarks: vec![],
-        views: vec![view_of_balls(scattered_balls(300))],
+        views: vec![view_of_balls(balls_at_scattered_places(300))],
     };
     let svg = Svg::read(&drawn_scene(&scene_of_blocks(vec![block])).unwrap());
     assert_eq!(svg.circles("#0072B2").len(), 300 + 1);
@@ -137,7 +137,7 @@ fn hundreds_of_names_are_left_out_with_a_remark() {
 }
 
 /// Circles at places that look random and are the same in every run.
-fn scattered_balls(count: u32) -> Vec<Ball> {
+fn balls_at_scattered_places(count: u32) -> Vec<Ball> {
     let fraction = |value: f64| value - value.floor();
     let at = |index: u32| {
         let along = 6000.0 * fraction(f64::from(index) * 0.618_033_988_75);
@@ -251,7 +251,7 @@ fn names_of_spheres_never_touch_in_a_drawing() {
         let block = Block {
             title: "Platform".to_owned(),
             remarks: vec![],
-            views: vec![view_of_balls(scattered_balls(count))],
+            views: vec![view_of_balls(balls_at_scattered_places(count))],
         };
         assert_texts_apart(
             &drawn_scene(&scene_of_blocks(vec![block])).unwrap(),

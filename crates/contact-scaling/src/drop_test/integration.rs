@@ -106,8 +106,8 @@ pub(super) type DepthAndSpeed = [f64; 2];
 /// Relative bound of the local error. Not the steps, but the interpolation within them limits the accuracy: with the bounds 1e-11
 /// and 1e-12, the series of the 62 kg human has an error of 1.1e-8 R; with 3e-13 and 3e-14 of 6e-10 R
 /// (`tests/scaling/drop_test.rs`), in 0.5 ms instead of 0.3.
-const RELATIVE_TOLERANCE: f64 = 3e-13;
-const ABSOLUTE_TOLERANCE: f64 = 3e-14;
+const LARGEST_RELATIVE_STEP_ERROR: f64 = 3e-13;
+const LARGEST_ABSOLUTE_STEP_ERROR: f64 = 3e-14;
 /// The largest number of steps between two contact events; the paper's drops need some hundreds.
 const MOST_STEPS: usize = 1_000_000;
 /// The largest number of contact events in one drop.
@@ -148,10 +148,10 @@ pub(super) fn integrate(body: &FallingBody<'_>, values: &DropValues) -> Result<R
     for _ in 0..MOST_CONTACT_EVENTS {
         observer.contact = contact;
         let before = observer.record.crossings.len();
-        let fall = Fall { body, contact };
+        let fall = FallEquation { body, contact };
         let mut method = ExplicitRungeKutta::dop853()
-            .rtol(RELATIVE_TOLERANCE)
-            .atol(ABSOLUTE_TOLERANCE)
+            .rtol(LARGEST_RELATIVE_STEP_ERROR)
+            .atol(LARGEST_ABSOLUTE_STEP_ERROR)
             .max_steps(MOST_STEPS);
         let solution = solve_ode(&mut method, &fall, time, end, &state, &mut observer)
             .map_err(|error| DropError::Integration { time_s: time_reached(&error, time) * body.time_s })?;
@@ -178,12 +178,12 @@ fn time_reached(error: &Error<f64, DepthAndSpeed>, start: f64) -> f64 {
 }
 
 /// The equation of motion. In flight only smoothed forces act, even if a stage of the integrator is below the ground.
-struct Fall<'a> {
+struct FallEquation<'a> {
     body: &'a FallingBody<'a>,
     contact: bool,
 }
 
-impl ODE<f64, DepthAndSpeed> for Fall<'_> {
+impl ODE<f64, DepthAndSpeed> for FallEquation<'_> {
     fn diff(&self, _time: f64, state: &DepthAndSpeed, rate: &mut DepthAndSpeed) {
         rate[0] = state[1];
         rate[1] = 1.0 - if self.contact { self.body.force(*state) } else { self.body.flight_force(*state) };

@@ -17,7 +17,7 @@
 
 mod integration;
 
-use crate::error::{non_negative, positive, require};
+use crate::error::{require_non_negative, require_positive, require_range};
 use crate::{Contact, DomainError, Law, Scale, Spheres, equilibrium, restitution};
 pub use integration::{DropError, DropValues};
 use integration::{FallingBody, RecordedDrop};
@@ -41,13 +41,13 @@ impl DropTest {
     /// # Errors
     /// [`DropError::Domain`] if a number is outside its domain, or if there is no sphere.
     pub fn new(spheres: impl IntoIterator<Item = Spheres>, values: DropValues) -> Result<Self, DropError> {
-        positive("mass", values.mass_kg)?;
-        positive("gravity", values.gravity_m_s2)?;
-        non_negative("height", values.height_m)?;
-        positive("duration", values.duration_s)?;
-        require(values.samples >= 2, "number of samples", values.samples as f64, "at least 2")?;
+        require_positive("mass", values.mass_kg)?;
+        require_positive("gravity", values.gravity_m_s2)?;
+        require_non_negative("height", values.height_m)?;
+        require_positive("duration", values.duration_s)?;
+        require_range(values.samples >= 2, "number of samples", values.samples as f64, "at least 2")?;
         let spheres = group_by_law(spheres)?;
-        require(!spheres.is_empty(), "number of spheres", 0.0, "at least 1")?;
+        require_range(!spheres.is_empty(), "number of spheres", 0.0, "at least 1")?;
         Ok(Self { values, spheres })
     }
 

@@ -37,7 +37,15 @@ pub use symbols::{Equation, Form, Symbol};
 
 /// All equations: first the equations of the paper in its order, then further equations.
 pub fn all() -> impl Iterator<Item = &'static Equation> {
-    [paper::LAWS, paper::SURFACES, paper::STIFFNESS, paper::SMOOTH, BEYOND_PAPER].into_iter().flatten()
+    [
+        paper::EQUATIONS_OF_LAWS,
+        paper::EQUATIONS_OF_SURFACES,
+        paper::EQUATIONS_OF_STIFFNESS,
+        paper::EQUATIONS_OF_SMOOTHING,
+        EQUATIONS_BEYOND_PAPER,
+    ]
+    .into_iter()
+    .flatten()
 }
 
 /// The equation with this number or name, such as `10`, `(10)`, `C.5`, `eq. (C.5)`, `exact`; `None` if there is none.
@@ -72,7 +80,7 @@ fn normalised_name(name: &str) -> String {
 
 // Equations that the paper does not have.
 
-const BEYOND_PAPER: &[Equation] = equations! {
+const EQUATIONS_BEYOND_PAPER: &[Equation] = equations! {
     "exact restitution" ["exact", "exact law"] "Coefficient of restitution, exact":
         form("", "d − ln(1 + d) = −c d − ln(1 − c d), d = 3/2 α ẋ⁻", "restitution::exact", "1"),
         form("for α", "the same, solved for d", "restitution::exact_dissipation", "s/m");

@@ -7,7 +7,7 @@ use crate::equations::symbols::{
     T, WIDTH, X, X_HAT, X_HAT_C, X_HAT_EQ, X_HAT_T, YOUNG, form,
 };
 
-pub(super) const LAWS: &[Equation] = equations! {
+pub(super) const EQUATIONS_OF_LAWS: &[Equation] = equations! {
     "1" [] "Hertz force of one sphere":
         form("", "F_e = 4/3 η √R E* x^(3/2)", "Hertz::force", "N"),
         form("for x", "x = (F_e / (4/3 η √R E*))^(2/3)", "Hertz::indentation_from_force", "m");
@@ -74,7 +74,7 @@ pub(super) const LAWS: &[Equation] = equations! {
 
 // Moduli of surfaces: appendix A.
 
-pub(super) const SURFACES: &[Equation] = equations! {
+pub(super) const EQUATIONS_OF_SURFACES: &[Equation] = equations! {
     "A.1" [] "Plane strain modulus from Young's modulus":
         form("", "E₁* = E₁ / (1 − ν₁²)", "modulus::plane_strain", "N/m²");
         [E_1, YOUNG, POISSON] "Van Bijlert (2026), appendix A; Johnson (1985)";
@@ -105,7 +105,7 @@ pub(super) const SURFACES: &[Equation] = equations! {
 
 // Stiffness and natural frequency: appendix B.
 
-pub(super) const STIFFNESS: &[Equation] = equations! {
+pub(super) const EQUATIONS_OF_STIFFNESS: &[Equation] = equations! {
     "B.1" [] "Contact stiffness of one sphere":
         form("", "k = 2 η √R E* √x", "Hertz::stiffness", "N/m");
         [K, ETA, R, E, X] "Van Bijlert (2026), appendix B; the slope of (1)";
@@ -129,7 +129,7 @@ pub(super) const STIFFNESS: &[Equation] = equations! {
 
 // `SmoothSphereHalfSpaceForce`: appendix C.
 
-pub(super) const SMOOTH: &[Equation] = equations! {
+pub(super) const EQUATIONS_OF_SMOOTHING: &[Equation] = equations! {
     "C.1" [] "Hertz force with a constant indentation":
         form("", "F_cf = 4/3 η √R E* (x² + cf)^(3/4)", "SmoothSphere::constant_indentation_force", "N");
         [F_CF, ETA, R, E, X, CF] "Van Bijlert (2026), appendix C.1, printed there as √(x² + cf)^(3/2)";

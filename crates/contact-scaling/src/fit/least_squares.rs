@@ -69,7 +69,7 @@ impl FitModel {
 // The closed form where the onset is known: F is linear in E* and E* α.
 
 /// Smallest sine of the angle between the elastic and the dissipative column for which E* and α can be distinguished.
-const SMALLEST_ANGLE: f64 = 1e-6;
+const SMALLEST_SINE_BETWEEN_COLUMNS: f64 = 1e-6;
 
 /// The least-squares parameters for a known onset.
 pub(super) fn solve_with_known_onset(
@@ -92,7 +92,7 @@ pub(super) fn solve_with_known_onset(
     let share = dot(&a, &b) / aa;
     let c: Vec<f64> = a.iter().zip(&b).map(|(a, b)| b - share * a).collect();
     let (bb, cc) = (dot(&b, &b), dot(&c, &c));
-    if cc <= SMALLEST_ANGLE * SMALLEST_ANGLE * bb {
+    if cc <= SMALLEST_SINE_BETWEEN_COLUMNS * SMALLEST_SINE_BETWEEN_COLUMNS * bb {
         return Err(FitError::Undetermined { parameter: "dissipation" });
     }
     let modulus_dissipation = dot(&c, &f) / cc;

@@ -20,23 +20,23 @@ mod least_squares;
 mod measurement;
 mod result;
 
-use crate::error::{at_least_one, finite, positive};
-use crate::{EQUAL_SURFACES, limits, restitution};
+use crate::error::{require_at_least_one, require_finite, require_positive};
+use crate::{SURFACE_OVER_COMPOSITE_MODULUS, limits, restitution};
 use least_squares::{FitModel, Parameters};
 use measurement::Point;
 pub use measurement::{FitError, FitValues, FittedBranch, Measurement, Onset, Parameter, Rate};
 pub use result::{Doubt, Estimate, Fit};
 
 /// Indentations count as equal if they differ by less than this share of the largest distance from the onset.
-const SAME_INDENTATION: f64 = 1e-9;
+const EQUAL_INDENTATION_TOLERANCE: f64 = 1e-9;
 
 /// Fits the contact parameters to a measurement.
 ///
 /// # Errors
 /// [`FitError`] if the measurement is not valid, or does not determine the parameters.
 pub fn fit(measurement: &Measurement<'_>, values: &FitValues) -> Result<Fit, FitError> {
-    let radius = positive("sphere radius", values.radius_m)?;
-    let count = at_least_one("sphere count", values.sphere_count)?;
+    let radius = require_positive("sphere radius", values.radius_m)?;
+    let count = require_at_least_one("sphere count", values.sphere_count)?;
     let points = measurement::collect(measurement, values.branch)?;
     let model = FitModel {
         gain: count * 4.0 / 3.0 * radius.sqrt(),
@@ -45,7 +45,7 @@ pub fn fit(measurement: &Measurement<'_>, values: &FitValues) -> Result<Fit, Fit
     };
     let parameters = match values.onset {
         Onset::At(onset) => {
-            least_squares::solve_with_known_onset(&model, &points, finite("contact onset", onset)?)?
+            least_squares::solve_with_known_onset(&model, &points, require_finite("contact onset", onset)?)?
         }
         Onset::Fitted => least_squares::solve_with_onset(&model, &points)?,
     };
@@ -61,7 +61,7 @@ fn refuse_single_indentation(points: &[Point], onset: f64) -> Result<(), FitErro
     let touching = points.iter().map(|p| p.indentation).filter(|&indentation| indentation > onset);
     let (least, most) =
         touching.fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), x| (x.min(least), x.max(most)));
-    if most - least <= SAME_INDENTATION * (most - onset) {
+    if most - least <= EQUAL_INDENTATION_TOLERANCE * (most - onset) {
         return Err(FitError::OneIndentation { indentation_m: most });
     }
     Ok(())
@@ -96,12 +96,12 @@ fn fit_result(model: &FitModel, points: &[Point], fitted: &Parameters, radius: f
     );
     let touching = || points.iter().filter(|p| p.indentation > fitted.onset);
     let deepest_m = touching().fold(0.0, |most: f64, p| most.max(p.indentation - fitted.onset));
-    let deepest = finite("indentation over radius", deepest_m / radius)?;
-    let fastest = finite("speed", touching().fold(0.0, |most: f64, p| most.max(p.speed.abs())))?;
+    let deepest = require_finite("indentation over radius", deepest_m / radius)?;
+    let fastest = require_finite("speed", touching().fold(0.0, |most: f64, p| most.max(p.speed.abs())))?;
     let restitution = restitution::approximate(fitted.dissipation().max(0.0), fastest).ok();
     Ok(Fit {
         composite_modulus: composite,
-        plane_strain_modulus: composite.times(EQUAL_SURFACES),
+        plane_strain_modulus: composite.times(SURFACE_OVER_COMPOSITE_MODULUS),
         dissipation,
         doubts,
         onset_m: of(Parameter::Onset, fitted.onset),

@@ -12,9 +12,9 @@ use std::path::{Path, PathBuf};
 use contact_scaling::equilibrium::RaisedSpheres;
 use contact_scaling::modulus::{MixingRule, SurfaceValues};
 use contact_scaling::{
-    Contact, ContactValues, EQUAL_SURFACES, Hertz, HertzValues, HuntCrossley, Law, RatioValues, Ratios,
-    SharedLoad, SmoothSphere, SmoothingValues, Spheres, continuation, design, equilibrium, mixed_radii,
-    modulus, patch, restitution, smoothing, stiffness,
+    Contact, ContactValues, Hertz, HertzValues, HuntCrossley, Law, RatioValues, Ratios,
+    SURFACE_OVER_COMPOSITE_MODULUS, SharedLoad, SmoothSphere, SmoothingValues, Spheres, continuation, design,
+    equilibrium, mixed_radii, modulus, patch, restitution, smoothing, stiffness,
 };
 
 /// Powers of length, mass and time in the unit of a quantity.
@@ -86,7 +86,7 @@ fn smooth(i: &[f64]) -> SmoothSphere {
 
 fn spheres_under_load(i: &[f64]) -> [Spheres; 1] {
     let values = ContactValues {
-        plane_strain_modulus: i[0] * EQUAL_SURFACES,
+        plane_strain_modulus: i[0] * SURFACE_OVER_COMPOSITE_MODULUS,
         dissipation: i[2],
         smoothing: Some(SmoothingValues {
             constant_contact_force: i[3],

@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use contact_scaling::table1::{self, Animal, Column, Compared};
+use contact_scaling::table1::{self, Animal, Column, ComparedNumber};
 use contact_scaling::{
     Contact, ContactValues, DimensionlessContact, Hertz, Ratios, SharedLoad, design, stiffness,
 };
@@ -79,7 +79,7 @@ fn table_1_is_reproduced_in_every_column() {
 
 #[test]
 fn only_one_number_of_the_table_differs_and_it_follows_from_a_rounded_one() {
-    let all: Vec<(Animal, Compared)> = animals_of_table()
+    let all: Vec<(Animal, ComparedNumber)> = animals_of_table()
         .into_iter()
         .flat_map(|animal| animal.compared().unwrap().into_iter().map(move |compared| (animal, compared)))
         .collect();

@@ -4,7 +4,7 @@
 
 use anyhow::Result;
 use osim_library::{SweepEnd, SweepFrontEnd, SweepRun};
-use osim_model::Question;
+use osim_model::YesQuestion;
 use osim_model::files::Failure;
 use osim_model::messages::Input;
 use osim_requests::SweepRequest;
@@ -40,7 +40,7 @@ pub(crate) fn run(request: &SweepRequest, session: &mut Session) -> Result<Exit>
         let text = match sweep.is_large() {
             true => format!(
                 "dry run: nothing written; more than 10,000 models need {}\n",
-                Question::ManyModels.answer_option().spelled(session.words)
+                YesQuestion::ManyModels.answer_option().spelled(session.words)
             ),
             false => "dry run: nothing written\n".to_owned(),
         };

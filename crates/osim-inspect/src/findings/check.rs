@@ -5,8 +5,8 @@
 use std::cell::LazyCell;
 
 use osim_model::{
-    Finding, FindingCode, ForceId, MassRequest, MassSource, Model, Property, Question, Selection, Severity,
-    Suspicion, same_mass,
+    Finding, FindingCode, ForceId, MassRequest, MassSource, Model, Property, Selection, Severity, Suspicion,
+    YesQuestion, same_mass,
 };
 use osim_requests::options::{AnswerOptions, ForceOptions, MassOptions};
 use osim_requests::{Kilograms, Request, RescaleRequest};
@@ -257,8 +257,8 @@ fn answer_questions(remedy: &mut Request, model: &Model, masses: &MassRequest) {
         Request::Set(request) => asked(&request.masses, &request.choice),
         _ => Vec::new(),
     };
-    let is_asked = |question: &Question| questions.iter().any(|needs| needs.question() == *question);
-    let yes = Question::ALL.iter().copied().filter(is_asked).collect();
+    let is_asked = |question: &YesQuestion| questions.iter().any(|needs| needs.question() == *question);
+    let yes = YesQuestion::ALL.iter().copied().filter(is_asked).collect();
     if let Some(answers) = remedy.answers_mut() {
         *answers = AnswerOptions::new(yes);
     }

@@ -3,7 +3,7 @@
 use std::cmp::Reverse;
 
 use osim_model::messages::{Phrase, counted};
-use osim_model::{Finding, FindingCode, Model, Severity, VerdictOn};
+use osim_model::{Finding, FindingCode, Model, Severity, VerdictTopic};
 use osim_requests::Request;
 use osim_requests::spell::Speller;
 use serde::Serialize;
@@ -27,7 +27,7 @@ pub struct CheckResult {
     pub model_bytes: Option<Vec<u8>>,
     /// How many findings have each severity.
     pub counts: Counts,
-    /// The answers to six questions, always in the same order; a seventh about a recording, if one is given.
+    /// The verdicts on six topics, always in the same order; a seventh on a recording, if one is given.
     pub verdicts: Vec<Verdict>,
     /// From the worst to the least; equally bad ones in the order of the register.
     #[serde(serialize_with = "records_with_commands")]
@@ -132,14 +132,14 @@ impl CheckResult {
         let verdict = match answer {
             Ok(Err(finding)) => {
                 let finding = FindingWithRemedy::from(finding);
-                let verdict = Verdict::from_findings(VerdictOn::Recording, &finding, &[]);
+                let verdict = Verdict::from_findings(VerdictTopic::Recording, &finding, &[]);
                 self.findings.push(finding);
                 self.findings = sort_findings(std::mem::take(&mut self.findings));
                 self.counts = Counts::of(&self.findings);
                 verdict
             }
-            Ok(Ok(right)) => Verdict::without_findings(VerdictOn::Recording, Ok(right)),
-            Err(why) => Verdict::without_findings(VerdictOn::Recording, Err(why)),
+            Ok(Ok(right)) => Verdict::without_findings(VerdictTopic::Recording, Ok(right)),
+            Err(why) => Verdict::without_findings(VerdictTopic::Recording, Err(why)),
         };
         self.verdicts.push(verdict);
     }

@@ -1,6 +1,8 @@
 //! Inspects a model: collects all data that `inspect` shows and that the rules need.
 
-use contact_scaling::{DimensionlessContact, EQUAL_SURFACES, Scale, ScaleValues, mixed_radii};
+use contact_scaling::{
+    DimensionlessContact, SURFACE_OVER_COMPOSITE_MODULUS, Scale, ScaleValues, mixed_radii,
+};
 use foldhash::{HashMap, HashMapExt, HashSet};
 use osim_model::compare::{BodyFactors, Factors};
 use osim_model::feet::Standing;
@@ -192,7 +194,7 @@ fn inspected_forces(model: &Model, selected: &Selected, contacts: &ContactsOfSet
             let parameters = parameters_of_set(force, set.id, |value| value.number);
             let modulus_of_stiffness = || {
                 let stiffness = parameters.iter().find(|(property, _)| *property == Property::Stiffness)?.1;
-                Some(stiffness / EQUAL_SURFACES).filter(|modulus| modulus.is_finite())
+                Some(stiffness / SURFACE_OVER_COMPOSITE_MODULUS).filter(|modulus| modulus.is_finite())
             };
             inspected.push(InspectedForce {
                 name: force.name.clone(),

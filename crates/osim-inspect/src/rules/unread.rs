@@ -129,7 +129,7 @@ rule! { pub(super) IGNORED_CONTACTS: IgnoredContacts, Warning;
 
 /// One finding for each place with contacts that OpenSim does not read.
 fn find_ignored_contacts(model: &Model) -> Vec<Finding> {
-    files_of_model(model).flat_map(|file| find_ignored_in(model, file)).collect()
+    files_of_model(model).flat_map(|file| find_ignored_contacts_in_file(model, file)).collect()
 }
 
 /// The main file and the files that it includes.
@@ -150,7 +150,7 @@ fn count_neighbours<T: PartialEq>(items: impl IntoIterator<Item = (T, T)>) -> Ve
     counted
 }
 
-fn find_ignored_in(model: &Model, file: FileId) -> Vec<Finding> {
+fn find_ignored_contacts_in_file(model: &Model, file: FileId) -> Vec<Finding> {
     let (document, components) = (model.file(file), model.components());
     let tree = document.tree();
     // Objects of classes that OpenSim does not know have a finding of their own.

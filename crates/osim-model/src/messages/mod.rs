@@ -15,16 +15,15 @@
 //! ```
 
 mod input;
+mod numbers;
 mod phrase;
 mod printable;
 
 pub use crate::{named, phrase};
 pub use input::{Call, Example, Input, PhrasePart, Verb};
+pub use numbers::{counted, four_significant, readable, shortest, three_significant};
 pub use phrase::{Dialect, FieldNames, IntoParts, PartInText, PartsInText, Phrase};
-pub use printable::{
-    Shown, counted, four_significant, is_visible, listed, one_line, readable, shortest, shown, shown_path,
-    shown_whole, terminal_safe, three_significant,
-};
+pub use printable::{Shown, is_visible, listed, one_line, shown, shown_path, shown_whole, terminal_safe};
 
 /// Declares enums whose variants have a fixed name each, for JSON, tables and messages: `as_str` gives it, and `ALL` all variants.
 #[macro_export]

@@ -63,11 +63,11 @@ pub use contacts::{
 };
 pub use document::Document;
 pub use fault::{
-    CountedSpheres, Excerpt, FactorQuestion, Fault, FaultKind, FileId, ForcesOfAnimal, GravityFor,
-    MassMistake, MassesOfOtherRows, MissingFact, NoteDoubt, Question, RadiusChangeReason, Suspicion,
+    CountedSpheres, Excerpt, Fault, FaultKind, FileId, ForcesOfAnimal, GravityFor, MassMistake,
+    MassesOfOtherRows, MissingFact, NoteDoubt, RadiusChangeReason, Suspicion, UnknownFactors, YesQuestion,
     probable_units,
 };
-pub use finding::{Example, Finding, FindingCode, Measure, Repair, Rule, Severity, VerdictOn};
+pub use finding::{Example, Finding, FindingCode, Measure, Repair, Rule, Severity, VerdictTopic};
 pub use limbs::{Limb, Limbs};
 pub use mass::{
     Mass, MassRequest, MassSource, implausible_mass, is_at_target, positive_mass, same_gravity, same_mass,

@@ -124,7 +124,7 @@ fn foot_on_vertical_slider(mass: f64, heights: &[f64]) -> ModelParts {
     foot_on_spheres(mass, heights, joint_xml("ground", "foot", &[VERTICAL_SLIDER]))
 }
 
-fn rest_on_all_spheres(standing: &Standing) -> RestOnFloor {
+fn resting_on_all_spheres(standing: &Standing) -> RestOnFloor {
     let all: Vec<SphereId> = standing.spheres.iter().map(|over| over.sphere).collect();
     standing.rest_on_floor(&all, 1.0).unwrap().unwrap()
 }
@@ -143,7 +143,7 @@ fn one_sphere_carries_100_n_at_0_01_m() {
     assert_eq!((standing.top.as_str(), standing.mass_kg, standing.load_n), ("foot", Some(10.0), Some(100.0)));
     assert!(is_close(standing.spheres[0].gap_m, 0.5 - 0.1 - 0.04) && standing.spheres[0].tilt_rad < 1e-12);
     assert_eq!((lift_of(&standing).coordinate.as_str(), lift_of(&standing).default_m), ("height", 0.5));
-    let rest = rest_on_all_spheres(&standing);
+    let rest = resting_on_all_spheres(&standing);
     assert!(is_close(rest.spheres[0].relative_indentation, 0.25), "{rest:?}");
     assert!((rest.spheres[0].force_n - 100.0).abs() < 1e-10 && rest.is_carried());
     assert!(is_close(standing.coordinate_at(rest.down_m).unwrap(), 0.14 - 0.01), "{rest:?}");
@@ -154,7 +154,7 @@ fn one_sphere_carries_100_n_at_0_01_m() {
 #[test]
 fn the_lower_of_two_spheres_carries_more_weight() {
     let standing = foot_on_vertical_slider(11.25, &[-0.1, -0.1 + 0.0075]).only_standing();
-    let rest = rest_on_all_spheres(&standing);
+    let rest = resting_on_all_spheres(&standing);
     let [low, high] = rest.spheres[..] else { panic!("two") };
     assert!((low.force_n - 100.0).abs() < 1e-9 && (high.force_n - 12.5).abs() < 1e-9, "{rest:?}");
     assert!(is_close(low.relative_indentation, 0.25) && is_close(high.relative_indentation, 0.0625));
@@ -164,7 +164,7 @@ fn the_lower_of_two_spheres_carries_more_weight() {
 #[test]
 fn a_sphere_above_the_floor_carries_nothing_until_it_is_the_only_one() {
     let standing = foot_on_vertical_slider(10.0, &[-0.1, -0.08]).only_standing();
-    let both = rest_on_all_spheres(&standing);
+    let both = resting_on_all_spheres(&standing);
     assert!(
         is_close(both.spheres[0].relative_indentation, 0.25)
             && is_close(both.spheres[1].relative_indentation, -0.25)
@@ -183,8 +183,8 @@ fn a_sphere_above_the_floor_carries_nothing_until_it_is_the_only_one() {
 /// At a depth of 0.04 m, the radius, the sphere carries eight times the weight. No greater depth is allowed.
 #[test]
 fn a_sphere_sunk_to_its_centre_cannot_carry_the_load() {
-    assert!(!rest_on_all_spheres(&foot_on_vertical_slider(80.001, &[-0.1]).only_standing()).is_carried());
-    assert!(rest_on_all_spheres(&foot_on_vertical_slider(79.999, &[-0.1]).only_standing()).is_carried());
+    assert!(!resting_on_all_spheres(&foot_on_vertical_slider(80.001, &[-0.1]).only_standing()).is_carried());
+    assert!(resting_on_all_spheres(&foot_on_vertical_slider(79.999, &[-0.1]).only_standing()).is_carried());
 }
 
 /// The normal leans by 0.6 and 0.8: the weight of 100 N has the part 80 N along it, and 1 m of height is 0.8 m along it.
@@ -201,7 +201,7 @@ fn on_a_slope_the_part_along_the_normal_counts() {
     assert!(is_close(standing.spheres[0].tilt_rad, 0.6_f64.asin()));
     // Its centre is 0.4 m over the origin: 0.32 m from the plane.
     assert!(is_close(standing.spheres[0].gap_m, 0.32 - 0.04));
-    let rest = rest_on_all_spheres(&standing);
+    let rest = resting_on_all_spheres(&standing);
     assert!(is_close(rest.spheres[0].relative_indentation * 0.04, 0.01 * 0.8_f64.powf(2.0 / 3.0)));
     let down = standing.coordinate_at(rest.down_m).unwrap() - 0.5;
     assert!(is_close(down * 0.8, -rest.down_m));
@@ -212,7 +212,7 @@ fn a_coordinate_with_a_downward_axis_grows_when_the_body_sinks() {
     let down = Slider { coordinate: "depth", axis: "0 -1 0", more: "<default_value>-0.5</default_value>" };
     let standing = foot_on_spheres(10.0, &[-0.1], joint_xml("ground", "foot", &[down])).only_standing();
     assert_eq!(lift_of(&standing).rise, -1.0);
-    assert!(is_close(standing.coordinate_at(rest_on_all_spheres(&standing).down_m).unwrap(), -0.13));
+    assert!(is_close(standing.coordinate_at(resting_on_all_spheres(&standing).down_m).unwrap(), -0.13));
 }
 
 /// The coordinate below the cart moves only the foot; the cart stays above.
@@ -326,7 +326,7 @@ fn floors_of_two_directions_are_refused_and_walls_are_ignored() {
     let standing = parts.only_standing();
     assert_eq!(lift_of(&standing).coordinate, "height");
     // What would press it on the wall carries nothing.
-    assert!(is_close(rest_on_all_spheres(&standing).spheres[0].relative_indentation, 0.25));
+    assert!(is_close(resting_on_all_spheres(&standing).spheres[0].relative_indentation, 0.25));
 }
 
 /// A sphere on two planes of one force and on one plane of another. At a depth of 0.01 m, each plane carries 100 N.
@@ -335,7 +335,7 @@ fn a_sphere_on_two_floors_is_carried_by_both() {
     let mut parts = foot_on_vertical_slider(20.0, &[-0.1]);
     parts.surfaces.push_str(&floor_xml("second", "ground", 0.0));
     parts.forces.push_str(&force_xml("other", "s0 second"));
-    let rest = rest_on_all_spheres(&parts.only_standing());
+    let rest = resting_on_all_spheres(&parts.only_standing());
     assert_eq!(rest.spheres.len(), 1);
     assert!(
         is_close(rest.spheres[0].relative_indentation, 0.25)

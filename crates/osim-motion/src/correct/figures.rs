@@ -2,9 +2,9 @@
 
 use osim_model::DVec3;
 
-use super::residuals::Setting;
+use super::residuals::CorrectionInputs;
 use crate::comparison::{Comparison, ComparisonPlane, percentile};
-use crate::{ContactStates, CoordinateKind, Foot, MeasuredForces, ON_BW, Wrench};
+use crate::{ContactStates, CoordinateKind, Foot, MeasuredForces, TOUCH_DOWN_BW, Wrench};
 
 /// Root mean squares of the differences from the plates, in body weights.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -39,11 +39,11 @@ pub struct CorrectionFigures {
 }
 
 /// A sphere with more than this share of body weight counts for the lift.
-const CARRIES_BW: f64 = 0.02;
+const LEAST_LOAD_OF_SPHERE_BW: f64 = 0.02;
 
 impl CorrectionFigures {
     pub(super) fn new(
-        setting: &Setting<'_>,
+        setting: &CorrectionInputs<'_>,
         (before, after): (&ContactStates, &ContactStates),
         (feet, measured): (&[Foot], &MeasuredForces),
         (normal, point_m): (DVec3, DVec3),
@@ -56,7 +56,7 @@ impl CorrectionFigures {
         let mut deepest: f64 = 0.0;
         for (number, (foot, plates)) in feet.iter().zip(&measured.feet).enumerate() {
             let has_points = measured.has_points.get(number) == Some(&true);
-            let on = ComparisonPlane { normal, point_m, least_n: ON_BW * weight_n, has_points };
+            let on = ComparisonPlane { normal, point_m, least_n: TOUCH_DOWN_BW * weight_n, has_points };
             let compared = |states: Option<&ContactStates>| {
                 let wrench = |frame: usize| {
                     let states = states.map(|states| states.frame(frame)).unwrap_or_default();
@@ -74,7 +74,7 @@ impl CorrectionFigures {
             let (mut squares, mut stance) = (vec![0.0; setting.coordinates.len()], 0.0);
             let (mut moved, mut force_n) = (0.0, 0.0);
             for (frame, plate) in plates.iter().enumerate() {
-                if !plate.is_some_and(|plate| plate.force_n.dot(normal) > ON_BW * weight_n) {
+                if !plate.is_some_and(|plate| plate.force_n.dot(normal) > TOUCH_DOWN_BW * weight_n) {
                     continue;
                 }
                 stance += 1.0;
@@ -85,7 +85,7 @@ impl CorrectionFigures {
                 {
                     let radius_m = pairs[pair].radius_m;
                     deepest = deepest.max(after.indentation_m / radius_m);
-                    if after.normal_force_n > CARRIES_BW * weight_n {
+                    if after.normal_force_n > LEAST_LOAD_OF_SPHERE_BW * weight_n {
                         let lift = (after.centre_m - before.centre_m).dot(normal) + floor_up_m;
                         lifts.push(lift.abs());
                         moved += lift * after.normal_force_n;

@@ -15,4 +15,4 @@ mod verdict;
 pub use figures::{CorrectionFigures, FootErrors, ForceErrors};
 pub use passes::{Correction, CorrectionError, correct};
 pub use unknowns::CorrectionOptions;
-pub use verdict::{Mismatch, Verdict, mismatches};
+pub use verdict::{Mismatch, MotionVerdict, mismatches};

@@ -4,13 +4,13 @@ use osim_model::feet::Couplers;
 use osim_model::{DVec3, Model};
 
 use super::figures::CorrectionFigures;
-use super::residuals::{FootGoals, Goal, Problem, Setting, Stage, minimise};
+use super::residuals::{CorrectionInputs, FootGoals, PlateGoal, Stage, StageProblem, minimise};
 use super::slopes::{CentreOfMass, FootSlopes};
 use super::solve::CONSTANTS;
-use super::unknowns::{Basis, CorrectionOptions, find_coordinates, knot_distance_s};
+use super::unknowns::{CorrectionOptions, SplineBasis, find_coordinates, knot_distance_s};
 use crate::{
-    Belt, ContactStates, Foot, MeasuredForces, MotionFault, ON_BW, Recording, StancePhase, StatesError,
-    Wrench,
+    Belt, ContactStates, Foot, MeasuredForces, MotionFault, Recording, StancePhase, StatesError,
+    TOUCH_DOWN_BW, Wrench,
 };
 
 /// A corrected motion.
@@ -50,19 +50,19 @@ impl From<MotionFault> for CorrectionError {
 }
 
 /// The stages of a search: the depths over which contacts begin, m, and the factors of the transition velocity.
-const SOFT_M: [f64; 8] = [0.02, 0.01, 0.005, 0.002, 0.002, 0.0, 0.0, 0.0];
-const WIDER: [f64; 8] = [0.0, 0.0, 0.0, 0.0, 10.0, 10.0, 3.0, 1.0];
+const SOFT_DEPTHS_OF_STAGES_M: [f64; 8] = [0.02, 0.01, 0.005, 0.002, 0.002, 0.0, 0.0, 0.0];
+const TRANSITION_FACTORS_OF_STAGES: [f64; 8] = [0.0, 0.0, 0.0, 0.0, 10.0, 10.0, 3.0, 1.0];
 const LAST_STAGE: usize = 7;
 
 /// The contacts are read along the motion at least twice, at most four times.
 const LEAST_PASSES: usize = 2;
 const MOST_PASSES: usize = 4;
 /// The relative change of the cost, if contacts are read again, below which law and motion agree.
-const AGREES: f64 = 0.001;
+const LARGEST_COST_CHANGE_AT_END: f64 = 0.001;
 /// Loaded feet that are slower than this stand on a floor at rest, m/s.
-const STANDING_M_S: f64 = 0.4;
+const FASTEST_STANDING_FOOT_M_S: f64 = 0.4;
 /// The largest part of the belt's velocity that no coordinate of the root follows, m/s.
-const UNFOLLOWED_M_S: f64 = 0.01;
+const LARGEST_UNFOLLOWED_BELT_M_S: f64 = 0.01;
 
 /// Stances that are shorter than this are contacts by chance, s.
 const SHORTEST_STANCE_S: f64 = 0.08;
@@ -82,7 +82,7 @@ pub fn correct(
     options: &CorrectionOptions,
 ) -> Result<Correction, CorrectionError> {
     let couplers = Couplers::of(model);
-    let unmoved = at_defaults(recording, &couplers)?;
+    let unmoved = with_locked_coordinates_at_defaults(recording, &couplers)?;
     let first = feet.first().and_then(|foot| foot.pairs.first()).copied();
     let (normal, on_floor_m) = first
         .and_then(|pair| {
@@ -94,11 +94,11 @@ pub fn correct(
     let level = [forward, forward.cross(normal)];
     let found = find_coordinates(model, &unmoved, &couplers, states, (feet, normal))?;
     let root = found.corrected.first().ok_or(CorrectionError::NoRootHeight)?.index;
-    let goal = |foot: usize, wrench: &Wrench| Goal {
+    let goal = |foot: usize, wrench: &Wrench| PlateGoal {
         normal_n: wrench.force_n.dot(normal).max(0.0),
         level_n: level.map(|direction| wrench.force_n.dot(direction)),
         centre_m: wrench
-            .centre_of_pressure(normal, on_floor_m, ON_BW * weight_n)
+            .centre_of_pressure(normal, on_floor_m, TOUCH_DOWN_BW * weight_n)
             .filter(|_| measured.has_points.get(foot) == Some(&true) && wrench.force_n.dot(normal) > 0.0)
             .map(|centre| centre.point_m),
     };
@@ -107,12 +107,17 @@ pub fn correct(
         goals: wrenches.iter().map(|wrench| wrench.as_ref().map(|wrench| goal(foot, wrench))).collect(),
     };
     let goals: Vec<FootGoals<'_>> = measured.feet.iter().enumerate().map(goals_of_foot).collect();
-    if !goals.iter().flat_map(|foot| &foot.goals).flatten().any(|goal| goal.normal_n > ON_BW * weight_n) {
+    if !goals
+        .iter()
+        .flat_map(|foot| &foot.goals)
+        .flatten()
+        .any(|goal| goal.normal_n > TOUCH_DOWN_BW * weight_n)
+    {
         return Err(CorrectionError::NoForce);
     }
     // Without goals along the floor, the feet themselves show the belt.
     let standing = options.standing_m_s;
-    let moves = standing.length() >= STANDING_M_S;
+    let moves = standing.length() >= FASTEST_STANDING_FOOT_M_S;
     let belt = match &options.belt {
         Some(belt) => belt.clone(),
         None if moves && options.vertical_only => Belt::Constant(standing),
@@ -127,8 +132,8 @@ pub fn correct(
         None => unmoved.clone(),
     };
     let centre = CentreOfMass::new(model)?;
-    let setting = Setting {
-        basis: Basis::new(&original.time_s, knots_s),
+    let setting = CorrectionInputs {
+        basis: SplineBasis::new(&original.time_s, knots_s),
         centre_of_mass: centre.slopes(&original, &couplers, &found.corrected)?,
         coordinates: found.corrected,
         feet: goals,
@@ -157,7 +162,7 @@ pub fn correct(
     let way_m = belt.way_m(&in_place.time_s);
     let follow = |way: DVec3| found.level.iter().map(|(_, along)| way.dot(*along) * *along).sum::<DVec3>();
     let belt_m_s = way_m.last().copied().unwrap_or_default() / time_s;
-    if (belt_m_s - follow(belt_m_s)).length() > UNFOLLOWED_M_S {
+    if (belt_m_s - follow(belt_m_s)).length() > LARGEST_UNFOLLOWED_BELT_M_S {
         return Err(CorrectionError::NoRootAlongBelt);
     }
     let recording = in_place.changed(&search.couplers, |frame, values, _| {
@@ -178,7 +183,7 @@ struct Search<'s> {
 
 impl Search<'_> {
     /// Makes the cost small in stages and passes.
-    fn run(&self, setting: &Setting<'_>, unknowns: &mut Vec<f64>) -> Result<(), CorrectionError> {
+    fn run(&self, setting: &CorrectionInputs<'_>, unknowns: &mut Vec<f64>) -> Result<(), CorrectionError> {
         let mut cost = f64::INFINITY;
         for pass in 0..MOST_PASSES {
             let moved = self.corrected(setting, unknowns)?;
@@ -186,12 +191,17 @@ impl Search<'_> {
             let (model, states) = (self.model, self.states);
             let slopes =
                 FootSlopes::all(model, (&moved, &self.belt), &self.couplers, states, parts, setting.level)?;
-            let mut problem = Problem::new(setting, slopes, unknowns.clone());
-            if pass >= LEAST_PASSES && (problem.cost(unknowns) - cost).abs() <= AGREES * cost {
+            let mut problem = StageProblem::new(setting, slopes, unknowns.clone());
+            if pass >= LEAST_PASSES
+                && (problem.cost(unknowns) - cost).abs() <= LARGEST_COST_CHANGE_AT_END * cost
+            {
                 break;
             }
             for stage in if pass == 0 { 0 } else { LAST_STAGE }..=LAST_STAGE {
-                problem.stage = Stage { soft_m: SOFT_M[stage], transition: WIDER[stage] };
+                problem.stage = Stage {
+                    soft_m: SOFT_DEPTHS_OF_STAGES_M[stage],
+                    transition: TRANSITION_FACTORS_OF_STAGES[stage],
+                };
                 cost = minimise(&problem, unknowns);
             }
         }
@@ -199,7 +209,11 @@ impl Search<'_> {
     }
 
     /// The motion after corrections; the height of the floor moves the root.
-    fn corrected(&self, setting: &Setting<'_>, unknowns: &[f64]) -> Result<Recording, CorrectionError> {
+    fn corrected(
+        &self,
+        setting: &CorrectionInputs<'_>,
+        unknowns: &[f64],
+    ) -> Result<Recording, CorrectionError> {
         let floor_up_m = unknowns[setting.coefficients()];
         let moved = self.original.changed(&self.couplers, |frame, values, _| {
             let corrections = setting.corrections(unknowns, frame, 0);
@@ -212,7 +226,10 @@ impl Search<'_> {
 }
 
 /// The recording with locked coordinates at their defaults, as OpenSim's tools take them, and with speeds from its values.
-fn at_defaults(recording: &Recording, couplers: &Couplers) -> Result<Recording, CorrectionError> {
+fn with_locked_coordinates_at_defaults(
+    recording: &Recording,
+    couplers: &Couplers,
+) -> Result<Recording, CorrectionError> {
     let locked = recording.changed(couplers, |_, values, _| {
         for (value, coordinate) in values.iter_mut().zip(&recording.coordinates) {
             if let Some(default) = coordinate.default.filter(|_| coordinate.locked) {

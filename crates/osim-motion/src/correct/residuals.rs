@@ -4,27 +4,27 @@ use osim_model::DVec3;
 
 use super::slopes::{FootSlopes, SphereState};
 use super::solve::{CONSTANTS, NormalEquations, dot};
-use super::unknowns::{Basis, CorrectedCoordinate, CorrectionOptions, LENGTH_M};
+use super::unknowns::{CorrectedCoordinate, CorrectionOptions, SplineBasis, USUAL_LENGTH_ERROR_M};
 use crate::ContactPair;
 
 /// An error of force that counts as much as a usual correction, body weights.
-const FORCE_BW: f64 = 0.05;
+const USUAL_FORCE_ERROR_BW: f64 = 0.05;
 /// An error of the centre of pressure that counts as much as a usual correction, m.
-const PRESSURE_M: f64 = 0.01;
+const USUAL_PRESSURE_ERROR_M: f64 = 0.01;
 /// A usual added acceleration of the whole body, m/s².
-const ACCELERATION_M_S2: f64 = 0.03 * 9.81;
+const USUAL_ADDED_ACCELERATION_M_S2: f64 = 0.03 * 9.81;
 /// The sum of squared moves of all spheres of a foot counts as much as this many spheres.
 const COUNTED_SPHERES: f64 = 3.0;
 /// Usual heights of the floor (m) and velocities of the belt (m/s), which count as much as a hundredth of the frames.
-const CONSTANT_SIZES: [f64; CONSTANTS] = [0.03, 2.0, 2.0];
-const COUNTED_FRAMES: f64 = 0.01;
+const USUAL_CONSTANTS: [f64; CONSTANTS] = [0.03, 2.0, 2.0];
+const SHARE_OF_FRAMES_PER_CONSTANT: f64 = 0.01;
 /// The usual size of a constant that stays 0.
-const FIXED: f64 = 1e-9;
+const USUAL_SIZE_OF_FIXED_CONSTANT: f64 = 1e-9;
 
 /// What a plate measured under a foot in one frame: the force along the normal and along both level directions, N, and the
 /// centre of pressure, m.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Goal {
+pub(super) struct PlateGoal {
     pub(super) normal_n: f64,
     pub(super) level_n: [f64; 2],
     pub(super) centre_m: Option<DVec3>,
@@ -33,12 +33,12 @@ pub(super) struct Goal {
 /// The plates' goals for one foot, frame by frame, and its contacts.
 pub(super) struct FootGoals<'p> {
     pub(super) pairs: Vec<&'p ContactPair>,
-    pub(super) goals: Vec<Option<Goal>>,
+    pub(super) goals: Vec<Option<PlateGoal>>,
 }
 
 /// What stays the same in all passes.
-pub(super) struct Setting<'p> {
-    pub(super) basis: Basis,
+pub(super) struct CorrectionInputs<'p> {
+    pub(super) basis: SplineBasis,
     pub(super) coordinates: Vec<CorrectedCoordinate>,
     pub(super) feet: Vec<FootGoals<'p>>,
     pub(super) level: [DVec3; 2],
@@ -50,7 +50,7 @@ pub(super) struct Setting<'p> {
     pub(super) centre_of_mass: Vec<DVec3>,
 }
 
-impl Setting<'_> {
+impl CorrectionInputs<'_> {
     /// The number of coefficients of all splines.
     pub(super) fn coefficients(&self) -> usize {
         self.basis.count * self.coordinates.len()
@@ -78,8 +78,8 @@ struct Row {
 }
 
 /// The problem along one motion, in one stage.
-pub(super) struct Problem<'s> {
-    pub(super) setting: &'s Setting<'s>,
+pub(super) struct StageProblem<'s> {
+    pub(super) setting: &'s CorrectionInputs<'s>,
     pub(super) slopes: Vec<FootSlopes>,
     /// The unknowns with which `slopes` were read.
     pub(super) read_at: Vec<f64>,
@@ -88,19 +88,19 @@ pub(super) struct Problem<'s> {
     pub(super) sizes: NormalEquations,
 }
 
-impl<'s> Problem<'s> {
-    pub(super) fn new(setting: &'s Setting<'s>, slopes: Vec<FootSlopes>, read_at: Vec<f64>) -> Self {
+impl<'s> StageProblem<'s> {
+    pub(super) fn new(setting: &'s CorrectionInputs<'s>, slopes: Vec<FootSlopes>, read_at: Vec<f64>) -> Self {
         let sizes = correction_sizes(setting, &slopes);
         Self { setting, slopes, read_at, stage: Stage { soft_m: 0.0, transition: 1.0 }, sizes }
     }
 
     /// Calls `take` with the residuals of each foot in each frame; without `slopes`, rows have no derivatives.
     fn residuals(&self, unknowns: &[f64], slopes: bool, mut take: impl FnMut(usize, &FootSlopes, &Row)) {
-        let Setting { level, weight_n, ref options, .. } = *self.setting;
+        let CorrectionInputs { level, weight_n, ref options, .. } = *self.setting;
         let difference: Vec<f64> = unknowns.iter().zip(&self.read_at).map(|(now, then)| now - then).collect();
         let place = self.setting.coefficients();
         let constants = [difference[place], unknowns[place + 1], unknowns[place + 2]];
-        let unit = 1.0 / (FORCE_BW * weight_n);
+        let unit = 1.0 / (USUAL_FORCE_ERROR_BW * weight_n);
         for frame in 0..self.setting.basis.first.len() {
             let [values, rates] = [0, 1].map(|order| self.setting.corrections(&difference, frame, order));
             for (foot, along) in self.setting.feet.iter().zip(&self.slopes) {
@@ -135,7 +135,7 @@ impl<'s> Problem<'s> {
                 };
                 row(goal.normal_n * unit, &|_| [unit, 0.0, 0.0]);
                 if let Some(centre_m) = goal.centre_m {
-                    for direction in level.map(|direction| direction / (PRESSURE_M * weight_n)) {
+                    for direction in level.map(|direction| direction / (USUAL_PRESSURE_ERROR_M * weight_n)) {
                         row(0.0, &|sphere| [(along.centre_m(sphere) - centre_m).dot(direction), 0.0, 0.0]);
                     }
                 }
@@ -179,7 +179,7 @@ const SMALLEST_DECREASE: f64 = 1e-5;
 const MOST_STEPS: usize = 40;
 
 /// Makes the cost small by damped Gauss-Newton steps, and returns it.
-pub(super) fn minimise(problem: &Problem<'_>, unknowns: &mut Vec<f64>) -> f64 {
+pub(super) fn minimise(problem: &StageProblem<'_>, unknowns: &mut Vec<f64>) -> f64 {
     let (mut cost, mut damping) = (problem.cost(unknowns), 1e-4);
     for _ in 0..MOST_STEPS {
         let equations = problem.normal_equations(unknowns);
@@ -203,7 +203,7 @@ pub(super) fn minimise(problem: &Problem<'_>, unknowns: &mut Vec<f64>) -> f64 {
 }
 
 /// The squares of everything that a correction should keep small.
-fn correction_sizes(setting: &Setting<'_>, slopes: &[FootSlopes]) -> NormalEquations {
+fn correction_sizes(setting: &CorrectionInputs<'_>, slopes: &[FootSlopes]) -> NormalEquations {
     let (basis, coordinates) = (&setting.basis, &setting.coordinates);
     let count = coordinates.len();
     let mut sizes = NormalEquations::new(setting.coefficients(), 4 * count);
@@ -223,7 +223,7 @@ fn correction_sizes(setting: &Setting<'_>, slopes: &[FootSlopes]) -> NormalEquat
         }
         for (foot, along) in setting.feet.iter().zip(slopes) {
             let spheres = foot.pairs.len();
-            let unit = (COUNTED_SPHERES / spheres as f64).sqrt() / LENGTH_M;
+            let unit = (COUNTED_SPHERES / spheres as f64).sqrt() / USUAL_LENGTH_ERROR_M;
             for sphere in frame * spheres..(frame + 1) * spheres {
                 for axis in 0..3 {
                     let moves = along.slopes_of(sphere).iter().map(|by| by[0][4 + axis] * unit);
@@ -235,13 +235,13 @@ fn correction_sizes(setting: &Setting<'_>, slopes: &[FootSlopes]) -> NormalEquat
         let moves = &setting.centre_of_mass[frame * count..(frame + 1) * count];
         for axis in 0..3 {
             let by: Vec<(usize, f64)> =
-                moves.iter().map(|by| by[axis] / ACCELERATION_M_S2).enumerate().collect();
+                moves.iter().map(|by| by[axis] / USUAL_ADDED_ACCELERATION_M_S2).enumerate().collect();
             add(frame, 2, &by);
         }
     }
-    let counted = (COUNTED_FRAMES * basis.first.len() as f64).sqrt();
-    for (number, size) in CONSTANT_SIZES.into_iter().enumerate() {
-        let size = if setting.free[number] { size } else { FIXED };
+    let counted = (SHARE_OF_FRAMES_PER_CONSTANT * basis.first.len() as f64).sqrt();
+    for (number, size) in USUAL_CONSTANTS.into_iter().enumerate() {
+        let size = if setting.free[number] { size } else { USUAL_SIZE_OF_FIXED_CONSTANT };
         sizes.add(&[(setting.coefficients() + number, counted / size)], 0.0);
     }
     sizes
@@ -259,9 +259,9 @@ pub(super) struct Stage {
 }
 
 /// The width over which a softened law lets go of a sphere that rises, as a share of its force at rest.
-const SOFT_SHARE: f64 = 0.1;
+const RELEASE_WIDTH_SHARE: f64 = 0.1;
 /// Steps by which slopes are computed, in the order of a state.
-const STEPS: SphereState = [1e-7, 1e-6, 1e-6, 1e-6];
+const SLOPE_STEPS: SphereState = [1e-7, 1e-6, 1e-6, 1e-6];
 
 /// The force on a sphere along the normal and along the two level directions, N.
 fn force_n(pair: &ContactPair, state: SphereState, stage: Stage) -> [f64; 3] {
@@ -269,7 +269,7 @@ fn force_n(pair: &ContactPair, state: SphereState, stage: Stage) -> [f64; 3] {
     let Stage { soft_m, transition } = stage;
     let normal_n = if soft_m > 0.0 {
         let depth = soft_positive(x, soft_m);
-        let damping = soft_positive(1.0 + 1.5 * pair.law.dissipation() * rate, SOFT_SHARE);
+        let damping = soft_positive(1.0 + 1.5 * pair.law.dissipation() * rate, RELEASE_WIDTH_SHARE);
         pair.law.hertz().coefficient() * depth * depth.sqrt() * damping
     } else {
         pair.law.force(x, rate)
@@ -278,7 +278,7 @@ fn force_n(pair: &ContactPair, state: SphereState, stage: Stage) -> [f64; 3] {
         return [normal_n, 0.0, 0.0];
     }
     let smoothing = pair.smoothing.filter(|_| soft_m == 0.0).unwrap_or(0.0);
-    let speed = (slip[0] * slip[0] + slip[1] * slip[1] + smoothing).sqrt().max(STEPS[2]);
+    let speed = (slip[0] * slip[0] + slip[1] * slip[1] + smoothing).sqrt().max(SLOPE_STEPS[2]);
     // A transition velocity that is larger by the factor.
     let share = pair.friction.coefficient(speed / transition) / speed;
     [normal_n, -normal_n * share * slip[0], -normal_n * share * slip[1]]
@@ -292,8 +292,8 @@ fn force_slopes(pair: &ContactPair, state: SphereState, stage: Stage) -> [[f64; 
             state[place] += by;
             force_n(pair, state, stage)
         };
-        let (above, below) = (at(STEPS[place]), at(-STEPS[place]));
-        std::array::from_fn(|axis| (above[axis] - below[axis]) / (2.0 * STEPS[place]))
+        let (above, below) = (at(SLOPE_STEPS[place]), at(-SLOPE_STEPS[place]));
+        std::array::from_fn(|axis| (above[axis] - below[axis]) / (2.0 * SLOPE_STEPS[place]))
     })
 }
 

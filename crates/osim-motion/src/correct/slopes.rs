@@ -33,7 +33,7 @@ pub(super) struct FootSlopes {
 }
 
 /// The change of a value by which slopes are computed, rad or m.
-const NUDGE: f64 = 1e-6;
+const SLOPE_STEP: f64 = 1e-6;
 
 impl FootSlopes {
     /// Reads the contacts of all `feet` along `recording`, whose speeds are derivatives of its values.
@@ -72,7 +72,7 @@ impl FootSlopes {
                     indices.iter().for_each(|&index| speeds[index] += speed);
                 })
             };
-            let (moved, faster) = (along(&changed(NUDGE, 0.0)?)?, along(&changed(0.0, 1.0)?)?);
+            let (moved, faster) = (along(&changed(SLOPE_STEP, 0.0)?)?, along(&changed(0.0, 1.0)?)?);
             for (foot, slopes) in feet.iter().zip(&mut all) {
                 let count = slopes.coordinates.len();
                 for (sphere, before) in slopes.spheres.iter().enumerate().filter(|_| place < count) {
@@ -81,7 +81,7 @@ impl FootSlopes {
                         let after = state_of(states, frame, pair);
                         std::array::from_fn(|place| (after[place] - before[place]) / by)
                     };
-                    slopes.slopes[sphere * count + place] = [slope(&moved, NUDGE), slope(&faster, 1.0)];
+                    slopes.slopes[sphere * count + place] = [slope(&moved, SLOPE_STEP), slope(&faster, 1.0)];
                 }
             }
         }
@@ -157,9 +157,9 @@ impl<'m> CentreOfMass<'m> {
         let at = self.along(recording);
         let mut slopes = vec![DVec3::ZERO; recording.frames() * coordinates.len()];
         for (number, coordinate) in coordinates.iter().enumerate() {
-            let moved = recording.changed(couplers, |_, values, _| values[coordinate.index] += NUDGE)?;
+            let moved = recording.changed(couplers, |_, values, _| values[coordinate.index] += SLOPE_STEP)?;
             for (frame, (after, before)) in self.along(&moved).iter().zip(&at).enumerate() {
-                slopes[frame * coordinates.len() + number] = (*after - *before) / NUDGE;
+                slopes[frame * coordinates.len() + number] = (*after - *before) / SLOPE_STEP;
             }
         }
         Ok(slopes)

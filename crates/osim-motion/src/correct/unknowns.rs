@@ -19,9 +19,9 @@ pub struct CorrectionOptions {
 }
 
 /// A usual error of the places of spheres and of the root's height, m.
-pub(super) const LENGTH_M: f64 = 0.006;
+pub(super) const USUAL_LENGTH_ERROR_M: f64 = 0.006;
 /// A usual error of joint angles, rad (2 degrees); 2.5 times as much for toes.
-const ANGLE_RAD: f64 = std::f64::consts::PI / 90.0;
+const USUAL_ANGLE_ERROR_RAD: f64 = std::f64::consts::PI / 90.0;
 
 /// A coordinate that the correction changes.
 #[derive(Debug, Clone, PartialEq)]
@@ -36,13 +36,13 @@ pub(super) struct CorrectedCoordinate {
 }
 
 /// The change of a value that shows which spheres a coordinate moves, rad or m.
-const NUDGE: f64 = 1e-4;
+const TRIAL_STEP: f64 = 1e-4;
 /// A sphere that moves by less than this part of the change of a coordinate does not follow it.
 const LEAST_MOVE: f64 = 1e-6;
 
-/// Coordinates that a correction uses.
+/// CoordinatesOfCorrection that a correction uses.
 #[derive(Debug, Clone, Default)]
-pub(super) struct Coordinates {
+pub(super) struct CoordinatesOfCorrection {
     /// The height of the root, and then all coordinates that move the spheres of one foot; none if no coordinate is such a
     /// height.
     pub(super) corrected: Vec<CorrectedCoordinate>,
@@ -60,7 +60,7 @@ pub(super) fn find_coordinates(
     couplers: &Couplers,
     states: &ContactStates,
     (feet, normal): (&[Foot], DVec3),
-) -> Result<Coordinates, StatesError> {
+) -> Result<CoordinatesOfCorrection, StatesError> {
     let before = states.along(model, recording, &Belt::default())?;
     let (mut legs, mut level) = (Vec::new(), Vec::new());
     let mut root = None;
@@ -69,11 +69,11 @@ pub(super) fn find_coordinates(
         if coordinate.locked || coordinate.prescribed.is_some() || is_dependent {
             continue;
         }
-        let nudged = recording.changed(couplers, |_, values, _| values[index] += NUDGE)?;
+        let nudged = recording.changed(couplers, |_, values, _| values[index] += TRIAL_STEP)?;
         let after = states.along(model, &nudged, &Belt::default())?;
         let moves = |pair: usize| {
             let both = before.pair(pair).zip(after.pair(pair));
-            both.map(|(before, after)| (after.centre_m - before.centre_m) / NUDGE)
+            both.map(|(before, after)| (after.centre_m - before.centre_m) / TRIAL_STEP)
         };
         let follows = |&pair: &usize| moves(pair).any(|by| by.length() > LEAST_MOVE);
         let all = || feet.iter().flat_map(|foot| &foot.pairs).flat_map(|&pair| moves(pair));
@@ -97,7 +97,7 @@ pub(super) fn find_coordinates(
         }
     }
     let corrected = root.into_iter().flat_map(|root| std::iter::once(root).chain(legs.clone())).collect();
-    Ok(Coordinates { corrected, level })
+    Ok(CoordinatesOfCorrection { corrected, level })
 }
 
 /// Whether a coordinate is the adduction of a knee, which inverse kinematics hardly sees.
@@ -110,16 +110,16 @@ impl CorrectedCoordinate {
     /// The size of a usual correction, rad or m.
     pub(super) fn usual(&self) -> f64 {
         match self.kind {
-            CoordinateKind::Translational => LENGTH_M,
-            _ if self.moves_toes => 2.5 * ANGLE_RAD,
-            _ => ANGLE_RAD,
+            CoordinateKind::Translational => USUAL_LENGTH_ERROR_M,
+            _ if self.moves_toes => 2.5 * USUAL_ANGLE_ERROR_RAD,
+            _ => USUAL_ANGLE_ERROR_RAD,
         }
     }
 }
 
 /// Cubic B-splines with equal distances of their knots. At each time four of them differ from 0.
 #[derive(Debug, Clone)]
-pub(super) struct Basis {
+pub(super) struct SplineBasis {
     /// The number of splines.
     pub(super) count: usize,
     /// For each frame, the first spline that differs from 0.
@@ -128,7 +128,7 @@ pub(super) struct Basis {
     pub(super) weights: Vec<[[f64; 4]; 3]>,
 }
 
-impl Basis {
+impl SplineBasis {
     /// Splines whose knots are at least `knots_s` apart.
     pub(super) fn new(time_s: &[f64], knots_s: f64) -> Self {
         let start = time_s.first().copied().unwrap_or_default();
@@ -173,7 +173,7 @@ mod tests {
     fn splines_with_the_coefficients_of_a_parabola_are_a_parabola() {
         // Σ B_j j = u and Σ B_j (j² - 1/3) = u², where u counts knots and spline j is at knot j - 1.
         let times: Vec<f64> = (0..=57).map(|frame| 3.0 + 0.01 * f64::from(frame)).collect();
-        let basis = Basis::new(&times, 0.1);
+        let basis = SplineBasis::new(&times, 0.1);
         let step = 0.57 / 5.0;
         assert_eq!((basis.count, basis.first[0], basis.first[57]), (8, 0, 4));
         for (frame, time) in times.iter().enumerate() {

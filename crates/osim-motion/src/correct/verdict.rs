@@ -5,9 +5,11 @@ use osim_model::{DVec3, Model};
 
 use super::figures::{CorrectionFigures, FootErrors};
 use super::slopes::CentreOfMass;
-use super::unknowns::LENGTH_M;
+use super::unknowns::USUAL_LENGTH_ERROR_M;
 use crate::comparison::percentile;
-use crate::{CentreOfPressure, ContactStates, Foot, MeasuredForces, ON_BW, Recording, StatesError, Wrench};
+use crate::{
+    CentreOfPressure, ContactStates, Foot, MeasuredForces, Recording, StatesError, TOUCH_DOWN_BW, Wrench,
+};
 
 /// Why plates, motion and contacts do not go together.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -27,14 +29,14 @@ pub enum Mismatch {
 }
 
 /// The mean force under load between these, in body weights, is in a wrong unit; a smaller one, too.
-const KILONEWTONS: f64 = 0.01;
-const POUNDS: (f64, f64) = (0.12, 0.4);
+const KILONEWTON_FORCE_BW: f64 = 0.01;
+const POUND_FORCES_BW: (f64, f64) = (0.12, 0.4);
 /// A centre of pressure that is farther from its foot is in a wrong unit, m.
-const UNIT_M: f64 = 0.5;
+const LARGEST_PRESSURE_DISTANCE_M: f64 = 0.5;
 /// A centre of pressure that is farther from its foot belongs to another, if that is as near, m.
-const SWAPPED_M: f64 = 0.1;
+const SWAPPED_FOOT_DISTANCE_M: f64 = 0.1;
 /// A plate is under load above this part of its largest force.
-const LOADED: f64 = 0.2;
+const LOADED_SHARE: f64 = 0.2;
 /// The largest delay that is looked for, and the smallest that counts, s.
 const MOST_DELAY_S: f64 = 0.15;
 const LEAST_DELAY_S: f64 = 0.015;
@@ -64,11 +66,13 @@ pub fn mismatches(
     let total: Vec<f64> =
         measured.total.iter().map(|wrench| wrench.as_ref().map_or(f64::NAN, along)).collect();
     let largest = total.iter().fold(0.0_f64, |most, force| most.max(force.abs()));
-    let loaded = || total.iter().filter(|force| force.abs() > LOADED * largest);
+    let loaded = || total.iter().filter(|force| force.abs() > LOADED_SHARE * largest);
     let mean_bw = loaded().sum::<f64>() / loaded().count().max(1) as f64 / weight_n;
     let size = mean_bw.abs();
     let is_complete = measured.beside.iter().all(|&frames| frames == 0);
-    if size > 0.0 && size < KILONEWTONS || is_complete && (POUNDS.0..POUNDS.1).contains(&size) {
+    if size > 0.0 && size < KILONEWTON_FORCE_BW
+        || is_complete && (POUND_FORCES_BW.0..POUND_FORCES_BW.1).contains(&size)
+    {
         return Ok(vec![Mismatch::ForceUnit { mean_bw }]);
     }
     if mean_bw < 0.0 {
@@ -78,7 +82,7 @@ pub fn mismatches(
     let median = |foot: usize, number: &dyn Fn(usize, CentreOfPressure, f64) -> f64| {
         let in_frame = |frame: usize| {
             let wrench = measured.feet.get(foot)?.get(frame)?.as_ref()?;
-            let centre = wrench.centre_of_pressure(normal, on_floor_m, ON_BW * weight_n)?;
+            let centre = wrench.centre_of_pressure(normal, on_floor_m, TOUCH_DOWN_BW * weight_n)?;
             Some(number(frame, centre, along(wrench)))
         };
         percentile(&(0..states.frames()).filter_map(in_frame).collect::<Vec<f64>>(), 0.5)
@@ -94,17 +98,22 @@ pub fn mismatches(
     let mut found = Vec::new();
     for foot in (0..feet.len()).filter(|&foot| measured.has_points.get(foot) == Some(&true)) {
         let arm_m = median(foot, &|_, centre, force_n| (centre.free_moment_n_m / force_n).abs());
-        if let Some(distance_m) = arm_m.filter(|arm_m| *arm_m > UNIT_M) {
+        if let Some(distance_m) = arm_m.filter(|arm_m| *arm_m > LARGEST_PRESSURE_DISTANCE_M) {
             found.push(Mismatch::LengthUnit { foot, distance_m, of_places: false });
             continue;
         }
-        let Some(own_m) = distance_m(foot, foot, 1.0).filter(|own_m| *own_m > SWAPPED_M) else { continue };
+        let Some(own_m) = distance_m(foot, foot, 1.0).filter(|own_m| *own_m > SWAPPED_FOOT_DISTANCE_M) else {
+            continue;
+        };
         let others = (0..feet.len()).filter_map(|other| Some((other, distance_m(foot, other, 1.0)?)));
-        let near = others.filter(|(_, other_m)| *other_m < SWAPPED_M).min_by(|a, b| a.1.total_cmp(&b.1));
+        let near = others
+            .filter(|(_, other_m)| *other_m < SWAPPED_FOOT_DISTANCE_M)
+            .min_by(|a, b| a.1.total_cmp(&b.1));
         if let Some((other, other_m)) = near {
             found.push(Mismatch::Swapped { foot, own_m, other, other_m });
-        } else if own_m > UNIT_M {
-            let of_places = distance_m(foot, foot, 1e-3).is_some_and(|scaled_m| scaled_m < UNIT_M);
+        } else if own_m > LARGEST_PRESSURE_DISTANCE_M {
+            let of_places =
+                distance_m(foot, foot, 1e-3).is_some_and(|scaled_m| scaled_m < LARGEST_PRESSURE_DISTANCE_M);
             found.push(Mismatch::LengthUnit { foot, distance_m: own_m, of_places });
         }
     }
@@ -155,7 +164,7 @@ fn delay_s(time_s: &[f64], inertia: &[f64], force: &[f64]) -> Option<f64> {
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Verdict {
+pub enum MotionVerdict {
     Agree,
     LargeCorrection,
     Disagree,
@@ -165,9 +174,9 @@ pub enum Verdict {
 const MOST_VERTICAL_BW: f64 = 0.1;
 /// The largest lift that agrees (95 % of all), and the largest difference of two feet, as multiples of a usual error.
 const MOST_LIFT: f64 = 2.0;
-const MOST_DIFFERENCE: f64 = 2.5;
+const MOST_DIFFERENCE_OF_FEET: f64 = 2.5;
 
-impl Verdict {
+impl MotionVerdict {
     pub const fn as_str(self) -> &'static str {
         match self {
             Self::Agree => "agree",
@@ -192,17 +201,18 @@ impl CorrectionFigures {
     }
 
     /// The verdict, with what is wrong: what was seen `before`, and one foot that is off.
-    pub fn verdict(&self, before: Vec<Mismatch>) -> (Verdict, Vec<Mismatch>) {
+    pub fn verdict(&self, before: Vec<Mismatch>) -> (MotionVerdict, Vec<Mismatch>) {
         let mut causes = before;
-        let apart_m =
-            self.difference_of_feet_m().filter(|apart_m| apart_m.abs() > MOST_DIFFERENCE * LENGTH_M);
+        let apart_m = self
+            .difference_of_feet_m()
+            .filter(|apart_m| apart_m.abs() > MOST_DIFFERENCE_OF_FEET * USUAL_LENGTH_ERROR_M);
         causes.extend(apart_m.map(|apart_m| Mismatch::OneFoot { apart_m }));
         let agrees = self.worst(|foot| foot.after.vertical_bw) <= MOST_VERTICAL_BW
-            && self.lift_p95_m <= MOST_LIFT * LENGTH_M;
+            && self.lift_p95_m <= MOST_LIFT * USUAL_LENGTH_ERROR_M;
         let verdict = match (causes.is_empty(), agrees) {
-            (false, _) => Verdict::Disagree,
-            (true, true) => Verdict::Agree,
-            (true, false) => Verdict::LargeCorrection,
+            (false, _) => MotionVerdict::Disagree,
+            (true, true) => MotionVerdict::Agree,
+            (true, false) => MotionVerdict::LargeCorrection,
         };
         (verdict, causes)
     }

@@ -264,14 +264,14 @@ fn composite_ratio(
         }
         let ratio = if there == here { 1.0 } else { there / here };
         if common.is_some_and(|other| (other - ratio).abs() > SAME_FACTOR * other) || !ratio.is_finite() {
-            return Err(different_materials(force, property));
+            return Err(fault_of_unequal_material_changes(force, property));
         }
         common.get_or_insert(ratio);
     }
     Ok(common.unwrap_or(1.0))
 }
 
-fn different_materials(force: &Force, property: Property) -> Fault {
+fn fault_of_unequal_material_changes(force: &Force, property: Property) -> Fault {
     Fault::refused(format!(
         "the materials of {} were changed since the reference, each in its own way: one factor of {property} cannot \
          serve all; give each sphere a force of its own",

@@ -7,7 +7,7 @@ use osim_inspect::StandingBody;
 use osim_model::feet::{Movements, Sole, angle};
 use osim_model::messages::{Input, Phrase, four_significant, phrase, readable, shown};
 use osim_model::{
-    Anatomy, BoneLengths, DVec3, Force, ForceId, Model, Question, Side, Suspicion, probable_units,
+    Anatomy, BoneLengths, DVec3, Force, ForceId, Model, Side, Suspicion, YesQuestion, probable_units,
     without_side,
 };
 use osim_patch::{ObjectAction, Plan, RebuiltModel};
@@ -258,7 +258,7 @@ impl DistanceFromJoints {
             if units.is_empty() { "" } else { ", " },
             units.join(", or ")
         );
-        Some(Suspicion::Other { question: Question::ImplausiblePlace, text: text.into() })
+        Some(Suspicion::Other { question: YesQuestion::ImplausiblePlace, text: text.into() })
     }
 }
 
@@ -280,7 +280,7 @@ pub(crate) fn question_about_pad(sole: &Sole, pad_m: f64) -> Option<Suspicion> {
         Input::Pad.with_value(readable(pad_m)), bodies.join(", "), four_significant(length_m),
         units.join(", or ")
     ];
-    Some(Suspicion::Other { question: Question::ImplausiblePlace, text })
+    Some(Suspicion::Other { question: YesQuestion::ImplausiblePlace, text })
 }
 
 /// The question about a scale factor of bones that is larger than between any two animals.
@@ -296,7 +296,7 @@ pub(crate) fn question_about_scale(scales: &[BodyScale]) -> Option<Suspicion> {
         "{} makes a bone {} times as long as the reference's: between a mouse and a giraffe it is 38 times{percent}";
         Input::BodyScale.with_value(scale.to_string()), readable(factor)
     ];
-    Some(Suspicion::Other { question: Question::ImplausibleScale, text })
+    Some(Suspicion::Other { question: YesQuestion::ImplausibleScale, text })
 }
 
 /// A remark with the number of limbs that share the weight, if the number is from the note in `model` and not from the caller.

@@ -12,7 +12,7 @@ use osim_model::feet::{
 use osim_model::files::Files;
 use osim_model::messages::Dialect;
 use osim_model::{Anatomy, DVec3, ForceId, MassRequest, Model, Placement, Side, SphereId};
-use osim_motion::{FootSummary, ON_BW, Poses, Wrench};
+use osim_motion::{FootSummary, Poses, TOUCH_DOWN_BW, Wrench};
 use osim_requests::MotionRequest;
 use serde::Serialize;
 
@@ -337,7 +337,7 @@ impl FootFrames<'_> {
         let states = &self.result.states;
         let first = *self.foot.foot.pairs.first()?;
         let (state, pair) = (states.frame(frame).get(first)?, states.pairs.get(first)?);
-        let least_n = ON_BW * self.result.summary.weight_n;
+        let least_n = TOUCH_DOWN_BW * self.result.summary.weight_n;
         let centre = wrench.centre_of_pressure(state.normal, state.on_surface_m(pair.radius_m), least_n)?;
         Some(centre.point_m.into())
     }

@@ -12,7 +12,7 @@ use std::path::Path;
 use osim_inspect::{Figure, unexplained_mass};
 use osim_model::files::{Failure, ModelFiles};
 use osim_model::messages::{Phrase, shortest};
-use osim_model::{MassRequest, Property, Question};
+use osim_model::{MassRequest, Property, YesQuestion};
 use osim_requests::{AxisName, RequestError, RequestFault, SweepRequest};
 
 use grid::{GridPoint, point_at, points_along, points_at_ends, zero_padded};
@@ -179,7 +179,7 @@ impl<'s> SweepPlan<'s> {
                 failure.message = message_with_point(&failure, &job);
                 // A question stays a failure, because its code answers it; so does a number of the model that is wrong whatever is asked.
                 let is_of_model = failure.line.is_some() && self.original.wrong_number.is_some();
-                match failure.code.parse::<Question>() {
+                match failure.code.parse::<YesQuestion>() {
                     Err(_) if !is_of_model => RequestFault::general(failure.message).into(),
                     _ => RequestError::Failure(failure),
                 }

@@ -5,7 +5,7 @@ mod columns;
 
 use std::path::{Path, PathBuf};
 
-use osim_model::Question;
+use osim_model::YesQuestion;
 use osim_model::files::{Failure, Files};
 use osim_model::messages::{Input, Phrase, Verb, phrase, shown};
 use osim_requests::options::OutputOptions;
@@ -26,7 +26,7 @@ pub struct Table {
     masses: MassesOfTable,
     /// The folder at which relative paths in the table begin.
     folder: PathBuf,
-    yes: Vec<Question>,
+    yes: Vec<YesQuestion>,
 }
 
 /// The request of one row of a table.
@@ -65,7 +65,7 @@ impl Table {
     }
 
     /// The table with answers to questions, for all rows. Rows may have further answers.
-    pub fn answering(self, yes: Vec<Question>) -> Self {
+    pub fn answering(self, yes: Vec<YesQuestion>) -> Self {
         Self { yes, ..self }
     }
 

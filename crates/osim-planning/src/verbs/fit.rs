@@ -7,7 +7,8 @@ use osim_inspect::{ContactsOrigin, Figure, InspectOptions};
 use osim_model::files::{FileName, Files, OpenModel};
 use osim_model::messages::{Input, Phrase, Verb, phrase, shortest, shown};
 use osim_model::{
-    Assignment, Fault, HalfSpace, Mass, MassSource, Model, Property, Question, Selected, SphereId, Suspicion,
+    Assignment, Fault, HalfSpace, Mass, MassSource, Model, Property, Selected, SphereId, Suspicion,
+    YesQuestion,
 };
 use osim_motion::fit::{FitBounds, FitError, FitTrial, FootForces, MotionFit, fit_motion};
 use osim_motion::{
@@ -287,7 +288,7 @@ fn poor_fit(fit: &MotionFit, errors: &RecordingErrors) -> Option<Suspicion> {
     let correct = Verb::Motion.call_with_model().with_placeholder(Input::Correct, "FILE");
     let text = phrase![text, ": correct the motion instead, with ", correct];
     (after > before || *vertical_rms_bw > 0.5 * null_vertical_rms_bw)
-        .then_some(Suspicion::Other { question: Question::PoorFit, text })
+        .then_some(Suspicion::Other { question: YesQuestion::PoorFit, text })
 }
 
 fn fault_of_states(trial: &str, error: StatesError) -> Fault {

@@ -11,8 +11,8 @@ use osim_model::compare::ScaleFile;
 use osim_model::files::{Failure, Files, OpenModel};
 use osim_model::messages::{Input, phrase};
 use osim_model::{
-    Anatomy, CountedSpheres, Fault, FaultKind, Mass, MassRequest, MassSource, MissingFact, Model, Question,
-    Selection, Suspicion, implausible_mass,
+    Anatomy, CountedSpheres, Fault, FaultKind, Mass, MassRequest, MassSource, MissingFact, Model, Selection,
+    Suspicion, YesQuestion, implausible_mass,
 };
 use osim_patch::{Reference, reference_of_model};
 use osim_requests::{Acceleration, Count, Kilograms, TransferRequest};
@@ -202,7 +202,7 @@ fn misplaced_reference_spheres(model: &Model) -> Option<Suspicion> {
         take the model that was scaled as {}";
         &finding.message, Input::From
     ];
-    Some(Suspicion::Other { question: Question::WrongAfterwards, text })
+    Some(Suspicion::Other { question: YesQuestion::WrongAfterwards, text })
 }
 
 /// Adds the name of the reference to a question about its spheres, because the question may be asked while another model is read.

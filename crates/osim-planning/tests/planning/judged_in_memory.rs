@@ -6,7 +6,7 @@ use std::path::Path;
 use osim_inspect::{Changeable, InspectOptions, check_model, model_findings};
 use osim_model::files::{Files, OpenModel};
 use osim_model::messages::Verb;
-use osim_model::{FileId, Finding, Force, Model, Question, Severity, Sphere, Value as Number};
+use osim_model::{FileId, Finding, Force, Model, Severity, Sphere, Value as Number, YesQuestion};
 use osim_patch::Plan;
 use osim_planning::{PreparedChange, prepare};
 use osim_requests::Request;
@@ -109,7 +109,7 @@ fn try_some(files: &ChangedFiles<'_>, name: &str, number: usize, compared: &mut 
     let model = Model::parse(files.read(Path::new(name)).ok()?).ok()?;
     let first = model.forces().first().map_or("none", |force| force.name.as_str());
     let calls = calls(first).into_iter().skip(number % EVERY_THIRD_CALL).step_by(EVERY_THIRD_CALL);
-    let yes: Vec<&str> = Question::ALL.iter().map(|question| question.as_str()).collect();
+    let yes: Vec<&str> = YesQuestion::ALL.iter().map(|question| question.as_str()).collect();
     let mut written = None;
     for mut call in calls {
         call["models"] = json!([name]);

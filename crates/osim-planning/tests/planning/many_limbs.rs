@@ -2,7 +2,7 @@
 
 use osim_inspect::{InspectOptions, Stance};
 use osim_model::files::InMemory;
-use osim_model::{FileId, FindingCode, Model, Severity, VerdictOn};
+use osim_model::{FileId, FindingCode, Model, Severity, VerdictTopic};
 use osim_planning::prepare;
 use osim_requests::Request;
 use serde_json::json;
@@ -57,7 +57,7 @@ fn what_is_proposed_for_a_horse_puts_it_right_on_one_limb_and_on_two() {
     }
     // The verdict says what the note records.
     let found = check_with(NAME, &text, &options_of_trot());
-    let on_mass = found.verdicts.iter().find(|verdict| verdict.on == VerdictOn::Mass).unwrap();
+    let on_mass = found.verdicts.iter().find(|verdict| verdict.on == VerdictTopic::Mass).unwrap();
     let said = on_mass.text.to_string();
     assert!(
         said.ends_with("; made for 545 kg (note in the file, by transfer from falisse2022, made for 62 kg)"),

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use osim_inspect::model_findings;
 use osim_model::files::{CompanionPaths, FileError, Files, InMemory};
-use osim_model::{Finding, FindingCode, Model, Question};
+use osim_model::{Finding, FindingCode, Model, YesQuestion};
 use osim_planning::{Inspector, open_with, prepare};
 use osim_requests::Request;
 use serde_json::{Value, json};
@@ -82,7 +82,7 @@ fn a_mesh_in_another_unit_is_asked_about_and_named() {
         let start = "mesh r_human_foot.vtp on calcn_r is ";
         assert!(said.starts_with(start) && said.contains(way_out), "{said}");
         assert!(codes_found(Path::new(HUMAN_MODEL), &files).contains(&FindingCode::OddMesh), "{factor}");
-        request["yes"] = json!([Question::ImplausibleScale.as_str(), Question::TiltedFoot.as_str()]);
+        request["yes"] = json!([YesQuestion::ImplausibleScale.as_str(), YesQuestion::TiltedFoot.as_str()]);
         assert!(!refusal_or_nothing(&request, &files).contains(start));
     }
     assert!(!codes_found(Path::new(HUMAN_MODEL), &fixtures()).contains(&FindingCode::OddMesh));

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use osim_model::{FaultKind, Question, Severity, Suspicion};
+use osim_model::{FaultKind, Severity, Suspicion, YesQuestion};
 
 use crate::values::serial::{self, choices, fields};
 use crate::values::{Jobs, Shard, path};
@@ -90,7 +90,7 @@ fields! {
     /// Options for answers to questions.
     struct AnswerOptions {
         #[cfg_attr(feature = "schemas", schemars(with = "Vec<QuestionSchema>"))]
-        yes: Vec<Question> as "serial::Texts",
+        yes: Vec<YesQuestion> as "serial::Texts",
     }
 }
 
@@ -134,12 +134,12 @@ impl OutputOptions {
 
 impl AnswerOptions {
     /// Options that answer the questions `yes` and no others.
-    pub fn new(yes: Vec<Question>) -> Self {
+    pub fn new(yes: Vec<YesQuestion>) -> Self {
         Self { yes }
     }
 
     /// Whether the caller has answered `question` with yes.
-    pub fn confirms(&self, question: Question) -> bool {
+    pub fn confirms(&self, question: YesQuestion) -> bool {
         self.yes.contains(&question)
     }
 
@@ -163,7 +163,7 @@ impl schemars::JsonSchema for QuestionSchema {
     }
 
     fn json_schema(_generator: &mut schemars::SchemaGenerator) -> schemars::Schema {
-        let codes: Vec<&str> = Question::ALL.iter().map(|question| question.as_str()).collect();
+        let codes: Vec<&str> = YesQuestion::ALL.iter().map(|question| question.as_str()).collect();
         schemars::json_schema!({"type": "string", "enum": codes})
     }
 }

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use osim_model::messages::{Input, Phrase, phrase};
-use osim_model::{Property, Question};
+use osim_model::{Property, YesQuestion};
 
 use crate::fault::RequestFault;
 use crate::options::{
@@ -78,12 +78,12 @@ impl SweepRequest {
         // One point is one model. A share asks, too: all shares together, and the call that ends them, make as many.
         if self.is_large()
             && self.point.is_none()
-            && !self.answers.confirms(Question::ManyModels)
+            && !self.answers.confirms(YesQuestion::ManyModels)
             && !self.dry_run
         {
             let message = phrase![
                 "{count} models would be made, more than 10,000: confirm it with {}, or give fewer values";
-                &Question::ManyModels.answer_option()
+                &YesQuestion::ManyModels.answer_option()
             ];
             return Err(RequestFault::general(message));
         }

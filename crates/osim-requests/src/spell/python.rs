@@ -68,7 +68,7 @@ impl Speller for Python {
             keywords(fields.in_group(FieldGroup::Output).filter(|(name, _)| name == "output")).collect();
         let writes = plans_one_model(&fields) && !written.is_empty();
         let write =
-            if writes { format!(".write({})", joined_arguments(written.into_iter())) } else { String::new() };
+            if writes { format!(".write({})", python_arguments(written.into_iter())) } else { String::new() };
         format!("{}{write}", call_of(&fields))
     }
 
@@ -116,9 +116,9 @@ fn call_of(fields: &Fields) -> String {
 /// The Python call that changes many models, and writes them.
 fn call_of_many(fields: &Fields) -> String {
     let models = fields.models().iter().map(|model| literal("models", model));
-    let mut arguments = vec![python_quoted(fields.verb.name()), format!("[{}]", joined_arguments(models))];
+    let mut arguments = vec![python_quoted(fields.verb.name()), format!("[{}]", python_arguments(models))];
     arguments.extend(keywords(fields.outside_groups(&[FieldGroup::Shown])));
-    format!("ocs.many({})", joined_arguments(arguments.into_iter()))
+    format!("ocs.many({})", python_arguments(arguments.into_iter()))
 }
 
 /// The arguments of a field without a keyword: one value alone, several values as a list, or as several arguments if the function
@@ -137,7 +137,7 @@ fn lines_for_plan(fields: &Fields) -> Vec<String> {
     let mut lines = vec![match fields.option("dry_run") {
         Some(_) => PRINT_RESULT.to_owned(),
         None => {
-            format!("result.write({})", joined_arguments(keywords(fields.in_group(FieldGroup::Output))))
+            format!("result.write({})", python_arguments(keywords(fields.in_group(FieldGroup::Output))))
         }
     }];
     if fields.option("diff").is_some() {
@@ -157,10 +157,10 @@ fn lines_for_figure(fields: &Fields) -> Vec<String> {
 fn save_line(method: &str, name: &str, file: &FieldValue, fields: &Fields) -> String {
     let force = fields.options.iter().filter(|(name, _)| name == "force");
     let arguments = std::iter::once(literal(name, file)).chain(keywords(force));
-    format!("result.{method}({})", joined_arguments(arguments))
+    format!("result.{method}({})", python_arguments(arguments))
 }
 
-fn joined_arguments(arguments: impl Iterator<Item = String>) -> String {
+fn python_arguments(arguments: impl Iterator<Item = String>) -> String {
     arguments.collect::<Vec<_>>().join(", ")
 }
 
@@ -183,11 +183,11 @@ fn literal(name: &str, value: &FieldValue) -> String {
         FieldValue::Text(text) if is_path(name) => python_quoted(&file_word(text)),
         FieldValue::Text(text) => python_quoted(text),
         FieldValue::List(items) => {
-            format!("[{}]", joined_arguments(items.iter().map(|item| literal(name, item))))
+            format!("[{}]", python_arguments(items.iter().map(|item| literal(name, item))))
         }
         FieldValue::Map(entries) => {
             let entry = |(key, value): &Field| format!("{}: {}", python_quoted(key), literal(name, value));
-            format!("{{{}}}", joined_arguments(entries.iter().map(entry)))
+            format!("{{{}}}", python_arguments(entries.iter().map(entry)))
         }
     }
 }

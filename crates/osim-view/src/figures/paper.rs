@@ -4,7 +4,7 @@ use std::fmt::Display;
 
 use contact_plots::{Figure, Panel, Point, Width};
 use contact_scaling::drop_test::{DropTest, DropValues};
-use contact_scaling::table1::{self, Animal, HEIGHT_RADII};
+use contact_scaling::table1::{self, Animal, DROP_HEIGHT_RADII};
 use contact_scaling::{Contact, ContactValues, Scale, SmoothingValues, falisse2022};
 use osim_inspect::series::{self, ContactBody, ForceUnit, IndentationUnit, PlotUnits, SphereKind};
 use osim_model::files::Failure;
@@ -18,7 +18,7 @@ use crate::figures::curves::{
 /// The animal of Table 1 with the name `taxon`; of several, the one that stands on the most spheres.
 fn animal_of_table(taxon: &str) -> Result<Animal, Failure> {
     let spheres = |animal: &Animal| animal.scale().sphere_count();
-    let most = table1::called(taxon).max_by(|a, b| spheres(a).total_cmp(&spheres(b)));
+    let most = table1::animals_called(taxon).max_by(|a, b| spheres(a).total_cmp(&spheres(b)));
     most.ok_or_else(|| table_failure(format!("there is no {taxon}")))
 }
 
@@ -90,11 +90,13 @@ fn panel_of_fig_4(title: &str, time: &str, falls: &[AnimalDrop]) -> Panel {
 
 /// The drop of one animal by the law of the paper's tests, which has no smoothing.
 fn drop_of_animal(animal: &Animal, scale_dissipation: bool) -> Result<AnimalDrop, Failure> {
-    let (scale, values) = (animal.scale(), animal.plain_contact().map_err(table_failure)?.values());
+    let (scale, values) =
+        (animal.scale(), animal.contact_without_smoothing().map_err(table_failure)?.values());
     let dissipation =
         if scale_dissipation { values.dissipation } else { falisse2022().contact.dissipation() };
     let contact = Contact::new(ContactValues { dissipation, ..values }).map_err(table_failure)?;
-    let test = DropTest::of(&contact, &scale, HEIGHT_RADII, DURATION_OF_FALLS_S).map_err(table_failure)?;
+    let test =
+        DropTest::of(&contact, &scale, DROP_HEIGHT_RADII, DURATION_OF_FALLS_S).map_err(table_failure)?;
     let samples = (SAMPLES_PER_UNIT_OF_TIME * DURATION_OF_FALLS_S / scale.time_s()) as usize;
     let values = DropValues { samples, ..test.values() };
     let test = DropTest::new(test.spheres().iter().copied(), values).map_err(table_failure)?;

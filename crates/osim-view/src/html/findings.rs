@@ -176,7 +176,7 @@ fn verdicts_of_change(before: &[Verdict], after: &[Verdict]) -> Markup {
 }
 
 fn question_cell(verdict: &Verdict) -> Markup {
-    html! { th scope="row" { (verdict.on.question()) } }
+    html! { th scope="row" { (verdict.on.as_question()) } }
 }
 
 fn sign_tag(sign: Sign) -> Markup {

@@ -1,7 +1,7 @@
 //! Table 1 of the paper beside the results of its equations: as text, CSV and a record; and the data that Fig. 1 needs.
 
 use contact_scaling::drop_test::DropError;
-use contact_scaling::table1::{self, Animal, Column, Compared};
+use contact_scaling::table1::{self, Animal, Column, ComparedNumber};
 use osim_inspect::SCHEMA_VERSION;
 use osim_model::files::Failure;
 use osim_model::messages::{Dialect, counted, four_significant, readable, shortest};
@@ -44,7 +44,7 @@ records! {
     }
 
     /// A number of Table 1.
-    NumberRecord from compared: &Compared {
+    NumberRecord from compared: &ComparedNumber {
         /// Name of the column; it ends in the unit, which is the paper's.
         name: &'static str = compared.column.name(),
         /// Label of the column.

@@ -2,8 +2,8 @@
 
 use osim_model::messages::Input;
 use osim_model::{
-    CountedSpheres, FactorQuestion, Fault, ForcesOfAnimal, GravityFor, MissingFact, NoteDoubt,
-    RadiusChangeReason,
+    CountedSpheres, Fault, ForcesOfAnimal, GravityFor, MissingFact, NoteDoubt, RadiusChangeReason,
+    UnknownFactors,
 };
 use osim_requests::spell::{CommandLine, JsonRequest, Page, Python};
 
@@ -43,7 +43,7 @@ fn example_of_every_question() -> Vec<MissingFact> {
         MissingFact::ReferenceContactOfForce { force: name("/forceset/foot_r") },
         MissingFact::ReferenceRadius { reference: name("human.osim"), unmatched: vec![name("toe_r")] },
         MissingFact::BodyFactors { body: name("calcn_r"), axes: vec!["x", "y", "z"] },
-        MissingFact::Factors(FactorQuestion::NoSource { body: name("toes_r") }),
+        MissingFact::Factors(UnknownFactors::NoSource { body: name("toes_r") }),
         MissingFact::MovedSpheres { model: name("scaled.osim"), spheres: vec![name("heel_r")] },
         MissingFact::Repetition { operation: name("set stiffness=x2") },
         MissingFact::Geometry,
@@ -76,15 +76,15 @@ fn questions_by_purpose() -> Vec<MissingFact> {
         .map(|purpose| MissingFact::Gravity { purpose })
         .chain([
             shared(RadiusChangeReason::Rule, false),
-            MissingFact::Factors(FactorQuestion::Meshes {
+            MissingFact::Factors(UnknownFactors::Meshes {
                 body: "calcn_r".to_owned(),
                 meshes: [("foot.vtp".to_owned(), [1.1; 3]), ("talus.vtp".to_owned(), [1.2, 1.1, 1.1])],
             }),
-            MissingFact::Factors(FactorQuestion::Sides {
+            MissingFact::Factors(UnknownFactors::Sides {
                 bodies: ["calcn_r".to_owned(), "calcn_l".to_owned()],
                 factors: [[1.09; 3], [1.26, 1.22, 1.43]],
             }),
-            MissingFact::Factors(FactorQuestion::OtherReference {
+            MissingFact::Factors(UnknownFactors::OtherReference {
                 body: "calcn_r".to_owned(),
                 joint: "mtp_r".to_owned(),
                 apart_m: 0.0123,

@@ -44,9 +44,8 @@ pub struct BodyFactors {
     pub axes: [Option<AxisFactor>; 3],
     /// The factors that each source gives along x, y and z, in the order of preference.
     pub sources: Vec<(FactorSource, [Option<f64>; 3])>,
-    /// The question that the caller has to answer before the factors are known. [`Factors`](super::Factors) asks it only if a caller needs
-    /// the factors.
-    pub question: Option<Fault>,
+    /// Why the factors are not known, or cannot be right: the error for a caller who needs them.
+    pub why_unknown: Option<Fault>,
 }
 
 /// The index of each body by its name. Where several bodies have one name, the first counts.

@@ -4,6 +4,7 @@
 //! factors of each body ([`Factors`]); spheres of the same name then move and grow with their body ([`Follow`]).
 
 mod body_factors;
+mod scale_file;
 mod scaled_copy;
 mod sources;
 
@@ -19,7 +20,8 @@ use crate::model::{
 
 use body_factors::{AXIS_NAMES, BodyIndex, ComparedJoints};
 pub use body_factors::{AxisFactor, BodyFactors, FactorSource, bone_of_mesh};
-pub use scaled_copy::{CopyDifference, ScaleFile};
+pub use scale_file::ScaleFile;
+pub use scaled_copy::CopyDifference;
 use sources::BodyFactorSources;
 
 // Where the spheres of a scaled model belong, and how large they are there.
@@ -340,7 +342,7 @@ impl Factors {
                 body: sources.body.to_owned(),
                 axes,
                 sources: sources.by_source.clone(),
-                question: None,
+                why_unknown: None,
             });
         }
         factors.by_name = BodyIndex::of(&factors.bodies);
@@ -348,9 +350,9 @@ impl Factors {
             factors.findings.push(rules::not_a_scaled_copy(difference.phrase()));
             factors.remarks =
                 sources::inherit_from_body_above(&mut factors.bodies, &factors.by_name, scaled, &carriers);
-            sources::add_questions(&mut factors.bodies, &factors.by_name, &all_sources, scaled);
+            sources::withdraw_doubtful_factors(&mut factors.bodies, &factors.by_name, &all_sources, scaled);
         }
-        factors.question_impossible_factors();
+        factors.refuse_impossible_factors();
         let carrying: HashSet<&str> = carriers.into_iter().collect();
         for sources in all_sources.iter().filter(|sources| carrying.contains(&sources.body)) {
             let messages =
@@ -360,15 +362,15 @@ impl Factors {
         Ok(factors)
     }
 
-    /// Replaces each impossible factor, such as 0, with a question for the caller.
-    fn question_impossible_factors(&mut self) {
+    /// Takes back the factors of each body with an impossible one, such as 0.
+    fn refuse_impossible_factors(&mut self) {
         for body in &mut self.bodies {
             let bad = AXIS_NAMES.iter().zip(body.axes).find_map(|(name, axis)| {
                 let AxisFactor { factor, source } = axis?;
                 (!(factor.is_finite() && factor > 0.0)).then_some((name, factor, source))
             });
             let Some((name, factor, source)) = bad else { continue };
-            body.question = Some(Fault::refused(format!(
+            body.why_unknown = Some(Fault::refused(format!(
                 "the {name} factor of body {} is {factor} ({}), expected a finite number above 0",
                 body.body,
                 source.as_str()
@@ -385,8 +387,8 @@ impl Factors {
     /// - A factor that is zero, negative or not finite.
     pub fn body_factors(&self, body: &str) -> Result<[f64; 3], Fault> {
         let found = self.by_name.index_of(body).and_then(|at| self.bodies.get(at));
-        if let Some(question) = found.and_then(|found| found.question.clone()) {
-            return Err(question);
+        if let Some(why) = found.and_then(|found| found.why_unknown.clone()) {
+            return Err(why);
         }
         let axes = self.by_name.axes_of_body(&self.bodies, body);
         let missing: Vec<&str> =

@@ -7,9 +7,10 @@ use super::body_factors::{
     AXIS_NAMES, AxisFactor, BodyFactors, BodyIndex, BonePair, ComparedJoint, ComparedJoints, FactorSource,
     bone_pairs,
 };
-use super::scaled_copy::{SHORTEST_OFFSET_M, ScaleFile};
+use super::scale_file::ScaleFile;
+use super::scaled_copy::SHORTEST_OFFSET_M;
 use crate::messages::Phrase;
-use crate::model::{Anatomy, FactorQuestion, Fault, MissingFact, Side, without_side};
+use crate::model::{Anatomy, Fault, MissingFact, Side, UnknownFactors, without_side};
 
 /// Two sources of a scaled copy disagree if their factors differ by more than this (relative).
 const TOLERANCE_IN_A_COPY: f64 = 0.01;
@@ -110,13 +111,13 @@ impl<'a> BodyFactorSources<'a> {
         })
     }
 
-    /// A question if the size of the mesh differs far too much from the distances of the joints. Without a distance on this body, the
+    /// The doubt if the size of the mesh differs far too much from the distances of the joints. Without a distance on this body, the
     /// distance on the body `above` is compared.
     fn mesh_of_other_animal(
         &self,
         taken: &[Option<AxisFactor>; 3],
         above: Option<&Self>,
-    ) -> Option<FactorQuestion> {
+    ) -> Option<UnknownFactors> {
         let of_this_body = self.distance_ratios(taken);
         let (distance, source, ratios) = of_this_body.or_else(|| {
             let distance = above?.distance.as_ref()?;
@@ -127,7 +128,7 @@ impl<'a> BodyFactorSources<'a> {
         let [by_mesh, by_joint] = ratios;
         let apart = (by_mesh / by_joint).max(by_joint / by_mesh) > LARGEST_MESH_RATIO;
         let (body, joint) = (self.body.to_owned(), distance.joint.to_owned());
-        (apart && source == FactorSource::Mesh).then_some(FactorQuestion::OtherBone { body, joint, ratios })
+        (apart && source == FactorSource::Mesh).then_some(UnknownFactors::OtherBone { body, joint, ratios })
     }
 
     /// Two ratios of a joint's distance in the new model to the reference: by the factors `taken`, and as measured.
@@ -289,8 +290,9 @@ fn is_given(axes: &[Option<AxisFactor>; 3]) -> bool {
     axes.iter().flatten().any(|axis| axis.source <= FactorSource::ScaleFile)
 }
 
-/// Adds questions for the caller: about differing meshes of one body, about differing sides, about a body without any source.
-pub(super) fn add_questions(
+/// Takes back the factors of bodies about which the sources do not agree: of differing meshes of one body, of differing sides, of a body
+/// without any source. The caller has to give these factors.
+pub(super) fn withdraw_doubtful_factors(
     factors: &mut [BodyFactors],
     by_name: &BodyIndex,
     all_sources: &[BodyFactorSources<'_>],
@@ -300,28 +302,28 @@ pub(super) fn add_questions(
     let of_body: HashMap<&str, &BodyFactorSources<'_>> =
         all_sources.iter().map(|one| (one.body, one)).collect();
     let above = |body: &str| of_body.get(scaled.joint_above(body)?.parent.as_str()).copied();
-    let questions: Vec<Option<FactorQuestion>> = all_sources
+    let doubts: Vec<Option<UnknownFactors>> = all_sources
         .iter()
         .map(|sources| {
             let axes = by_name.axes_of_body(factors, sources.body);
             if is_given(&axes) {
                 return None;
             }
-            let of_meshes = || mesh_question(sources).filter(|_| uses_source(&axes, FactorSource::Mesh));
+            let of_meshes = || differing_meshes(sources).filter(|_| uses_source(&axes, FactorSource::Mesh));
             let of_sides = || {
                 let other = pairs.other_side(sources.body)?;
-                side_question(sources.body, &axes, other.body, &by_name.axes_of_body(factors, other.body))
+                differing_sides(sources.body, &axes, other.body, &by_name.axes_of_body(factors, other.body))
             };
-            let nothing = || FactorQuestion::NoSource { body: sources.body.to_owned() };
+            let nothing = || UnknownFactors::NoSource { body: sources.body.to_owned() };
             of_meshes()
                 .or_else(|| sources.mesh_of_other_animal(&axes, above(sources.body)))
                 .or_else(of_sides)
                 .or_else(|| axes.iter().all(Option::is_none).then(nothing))
         })
         .collect();
-    for (body, question) in factors.iter_mut().zip(questions) {
-        if let Some(question) = question {
-            body.question = Some(Fault::new(MissingFact::Factors(question)));
+    for (body, doubt) in factors.iter_mut().zip(doubts) {
+        if let Some(doubt) = doubt {
+            body.why_unknown = Some(Fault::new(MissingFact::Factors(doubt)));
             body.axes = [None; 3];
         }
     }
@@ -331,7 +333,7 @@ fn uses_source(axes: &[Option<AxisFactor>; 3], source: FactorSource) -> bool {
     axes.iter().flatten().any(|axis| axis.source == source)
 }
 
-fn mesh_question(sources: &BodyFactorSources<'_>) -> Option<FactorQuestion> {
+fn differing_meshes(sources: &BodyFactorSources<'_>) -> Option<UnknownFactors> {
     let (first, others) = sources.meshes.split_first()?;
     let differs = |other: &&BonePair| {
         let apart = |(a, b): (&Option<f64>, &Option<f64>)| match (a, b) {
@@ -343,19 +345,19 @@ fn mesh_question(sources: &BodyFactorSources<'_>) -> Option<FactorQuestion> {
     let other = others.iter().find(differs)?;
     let mesh_and_factors =
         |pair: &BonePair| (pair.mesh.clone(), pair.factors.map(|factor| factor.unwrap_or(f64::NAN)));
-    Some(FactorQuestion::Meshes {
+    Some(UnknownFactors::Meshes {
         body: sources.body.to_owned(),
         meshes: [mesh_and_factors(first), mesh_and_factors(other)],
     })
 }
 
-/// A question if left and right differ in size, compared on the axes with a factor on both sides.
-fn side_question(
+/// The doubt if left and right differ in size, compared on the axes with a factor on both sides.
+fn differing_sides(
     body: &str,
     axes: &[Option<AxisFactor>; 3],
     other: &str,
     others: &[Option<AxisFactor>; 3],
-) -> Option<FactorQuestion> {
+) -> Option<UnknownFactors> {
     if is_given(others) {
         return None;
     }
@@ -366,7 +368,7 @@ fn side_question(
         _ => false,
     };
     let factors = |axes: &[Option<AxisFactor>; 3]| axes.map(|axis| axis.map_or(f64::NAN, |axis| axis.factor));
-    axes.iter().zip(others).any(apart).then(|| FactorQuestion::Sides {
+    axes.iter().zip(others).any(apart).then(|| UnknownFactors::Sides {
         bodies: [body.to_owned(), other.to_owned()],
         factors: [factors(axes), factors(others)],
     })
@@ -384,9 +386,9 @@ mod tests {
     #[test]
     fn an_axis_without_a_factor_does_not_end_the_comparison() {
         let right = factors_of_axes([1.02, f64::NAN, 0.95]);
-        let differ = |left| side_question("calcn_r", &right, "calcn_l", &factors_of_axes(left));
+        let differ = |left| differing_sides("calcn_r", &right, "calcn_l", &factors_of_axes(left));
         // 1.09 over 1.02 is 6.9 % more.
-        let Some(FactorQuestion::Sides { factors: [[x, y, z], _], .. }) = differ([1.09, 0.9, 0.95]) else {
+        let Some(UnknownFactors::Sides { factors: [[x, y, z], _], .. }) = differ([1.09, 0.9, 0.95]) else {
             panic!("not asked")
         };
         assert!((x, z) == (1.02, 0.95) && y.is_nan());

@@ -2,7 +2,7 @@
 
 use crate::messages::{Input, Phrase, PhrasePart, phrase, readable};
 use crate::model::fault::reasons::{
-    FactorQuestion, GravityFor, NoteDoubt, RadiusChangeReason, contacts_mass, known_contacts_mass,
+    GravityFor, NoteDoubt, RadiusChangeReason, UnknownFactors, contacts_mass, known_contacts_mass,
     shared_sphere,
 };
 
@@ -61,7 +61,7 @@ pub enum MissingFact {
     /// The scale factors of a body along some axes.
     BodyFactors { body: String, axes: Vec<&'static str> },
     /// The size of a body relative to the body of another model.
-    Factors(FactorQuestion),
+    Factors(UnknownFactors),
     /// Whether spheres that were moved or resized already should be placed again.
     MovedSpheres { model: String, spheres: Vec<String> },
     /// Whether a factor should be applied a second time.
@@ -229,7 +229,7 @@ impl MissingFact {
                     joined_axes(axes), Input::BodyScale.either(both, file(": give the ScaleSet that was applied with "))
                 ]
             }
-            Self::Factors(question) => question.phrase(),
+            Self::Factors(factors) => factors.phrase(),
             Self::MovedSpheres { model, spheres } => phrase![
                 "spheres of {model} were moved or resized already, by another tool or by hand: {}: keep them with \
                 {}, or place them again with {}";
@@ -240,7 +240,7 @@ impl MissingFact {
         }
     }
 
-    /// The questions about facts of the request and about files given with it.
+    /// The messages about facts of the request and about files given with it.
     fn about_request(&self) -> Phrase {
         match self {
             Self::Repetition { operation } => phrase![

@@ -15,9 +15,9 @@ use crate::messages::Phrase;
 use crate::xml::{LineIndex, TextPosition};
 pub use kind::FaultKind;
 pub use missing_fact::{CountedSpheres, ForcesOfAnimal, MissingFact};
-pub use reasons::{FactorQuestion, GravityFor, NoteDoubt, RadiusChangeReason};
+pub use reasons::{GravityFor, NoteDoubt, RadiusChangeReason, UnknownFactors};
 pub(crate) use suspicion::POUND_KG;
-pub use suspicion::{MassMistake, MassesOfOtherRows, Question, Suspicion, probable_units};
+pub use suspicion::{MassMistake, MassesOfOtherRows, Suspicion, YesQuestion, probable_units};
 
 /// An error in a model or a request, with its place in a file.
 ///

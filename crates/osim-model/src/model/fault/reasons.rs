@@ -78,7 +78,7 @@ impl RadiusChangeReason {
     }
 }
 
-/// The beginning of the question about a sphere that both `changed` forces and `left` forces use. The end, how its radius can stay, is
+/// The beginning of the message about a sphere that both `changed` forces and `left` forces use. The end, how its radius can stay, is
 /// added later.
 pub(super) fn shared_sphere(sphere: &str, changed: &str, left: &[String], can_choose: bool) -> Phrase {
     let stays = if left.len() == 1 { "which stays as it is" } else { "which stay as they are" };
@@ -94,7 +94,7 @@ pub(super) fn shared_sphere(sphere: &str, changed: &str, left: &[String], can_ch
     text
 }
 
-/// The question about the mass for which contacts were made, if the note is in doubt: the model's own contacts, or those of a reference.
+/// The message that asks for which mass contacts were made, if the note is in doubt: the model's own contacts, or those of a reference.
 pub(super) fn contacts_mass(noted_kg: Option<f64>, doubt: NoteDoubt, input: Input) -> Phrase {
     let noted = noted_kg.map(|kg| format!(" (the note says {} kg)", readable(kg)));
     phrase![
@@ -104,7 +104,7 @@ pub(super) fn contacts_mass(noted_kg: Option<f64>, doubt: NoteDoubt, input: Inpu
     ]
 }
 
-/// The question about the mass for which published contacts were made, on bodies of another mass.
+/// The message that asks for which mass published contacts were made, on bodies of another mass.
 pub(super) fn known_contacts_mass(title: &str, made_for_kg: f64, bodies_kg: f64, input: Input) -> Phrase {
     let (made_for, bodies) = (readable(made_for_kg), readable(bodies_kg));
     let contacts = contacts_are(input);
@@ -150,9 +150,9 @@ named! {
     }
 }
 
-/// A question about the scale factors of a body.
+/// Why the scale factors of a body are not known.
 #[derive(Debug, Clone, PartialEq)]
-pub enum FactorQuestion {
+pub enum UnknownFactors {
     /// Two meshes of one body have different factors along x, y and z.
     Meshes { body: String, meshes: [(String, [f64; 3]); 2] },
     /// Left and right have different factors along x, y and z, in models that are not scaled copies of each other; NaN for unknown ones.
@@ -166,8 +166,8 @@ pub enum FactorQuestion {
     OtherReference { body: String, joint: String, apart_m: f64 },
 }
 
-impl FactorQuestion {
-    /// The question: which factors are unknown, and how the caller can give them.
+impl UnknownFactors {
+    /// The message: which factors are unknown, and how the caller can give them.
     pub(super) fn phrase(&self) -> Phrase {
         let one = |factor: f64| if factor.is_nan() { "unknown".to_owned() } else { format!("{factor:.4}") };
         let three = |factors: &[f64; 3]| factors.map(one).join(", ");

@@ -1,4 +1,4 @@
-//! Questions about numbers that look wrong, such as a mass in grams. The numbers are used only if the caller confirms them.
+//! Numbers that look wrong, such as a mass in grams. The numbers are used only if the caller confirms them.
 
 use std::fmt;
 use std::str::FromStr;
@@ -91,8 +91,8 @@ impl MassesOfOtherRows {
 }
 
 named! {
-    /// A question that the caller answers with yes, by the question's code.
-    pub enum Question {
+    /// A question to the caller, who answers it with `--yes` and its code.
+    pub enum YesQuestion {
         /// Is the mass right? It may be in grams or tonnes, or have a digit too many or too few.
         ImplausibleMass = "implausible-mass",
         MassInPounds = "mass-in-pounds",
@@ -116,19 +116,19 @@ named! {
     }
 }
 
-impl Question {
+impl YesQuestion {
     pub fn answer_option(self) -> Phrase {
         phrase![Input::Yes.with_value(self.as_str())]
     }
 }
 
-impl fmt::Display for Question {
+impl fmt::Display for YesQuestion {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(self.as_str())
     }
 }
 
-impl FromStr for Question {
+impl FromStr for YesQuestion {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
@@ -139,7 +139,7 @@ impl FromStr for Question {
     }
 }
 
-/// A question about a number that looks wrong. The caller has to confirm the number.
+/// A number that looks wrong, so that the caller has to confirm it.
 ///
 /// ```
 /// use osim_model::{Fault, FaultKind, MassMistake, Suspicion};
@@ -164,16 +164,16 @@ pub enum Suspicion {
     /// `usual_m` is the radius in the file, else one that follows from the bones; `None` unless the caller gave the new radius as a length,
     /// perhaps in another unit.
     Radius { sphere: String, radius_m: f64, longest_m: f64, usual_m: Option<f64> },
-    /// Another question, with its text: what looks wrong, and what was probably meant.
-    Other { question: Question, text: Phrase },
+    /// Another doubt, with its text: what looks wrong, and what was probably meant.
+    Other { question: YesQuestion, text: Phrase },
 }
 
 impl Suspicion {
-    pub const fn question(&self) -> Question {
+    pub const fn question(&self) -> YesQuestion {
         match self {
-            Self::Mass { .. } if self.is_about_pounds() => Question::MassInPounds,
-            Self::Mass { .. } => Question::ImplausibleMass,
-            Self::Radius { .. } => Question::ImplausibleRadius,
+            Self::Mass { .. } if self.is_about_pounds() => YesQuestion::MassInPounds,
+            Self::Mass { .. } => YesQuestion::ImplausibleMass,
+            Self::Radius { .. } => YesQuestion::ImplausibleRadius,
             Self::Other { question, .. } => *question,
         }
     }

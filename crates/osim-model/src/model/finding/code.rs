@@ -157,7 +157,7 @@ named! {
     /// The topic of a verdict. Each rule about a model belongs to one topic, or to none.
     ///
     /// Exhaustive: six topics for every model, and one more for a recording.
-    pub enum VerdictOn {
+    pub enum VerdictTopic {
         /// Whether the floor is level and on ground, and gravity points down.
         Floor = "floor",
         /// Whether the model stands on its spheres at the default pose.
@@ -175,12 +175,13 @@ named! {
     }
 }
 
-impl VerdictOn {
+impl VerdictTopic {
     /// The topics of every model, in the order in which they are shown.
     pub const OF_EVERY_MODEL: [Self; 6] =
         [Self::Floor, Self::Standing, Self::Mass, Self::Sides, Self::Sizes, Self::Solver];
 
-    pub const fn question(self) -> &'static str {
+    /// The topic as a question to the reader.
+    pub const fn as_question(self) -> &'static str {
         match self {
             Self::Floor => "Is the floor a floor?",
             Self::Standing => "Does it stand?",

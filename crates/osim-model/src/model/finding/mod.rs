@@ -6,7 +6,7 @@ use contact_scaling::limits;
 
 use crate::messages::{Dialect, Phrase};
 use crate::xml::TextPosition;
-pub use code::{FindingCode, Severity, VerdictOn};
+pub use code::{FindingCode, Severity, VerdictTopic};
 
 /// One case in which a rule applies to a model or a change, with its place and message.
 ///
@@ -129,7 +129,7 @@ pub struct Rule {
     pub code: FindingCode,
     pub severity: Severity,
     /// The topic of the verdict to which the rule contributes, if any.
-    pub verdict: Option<VerdictOn>,
+    pub verdict: Option<VerdictTopic>,
     pub what: &'static str,
     pub why: &'static str,
     pub advice: &'static str,
@@ -143,7 +143,7 @@ pub struct Rule {
 #[macro_export]
 macro_rules! rule {
     (@verdict) => { None };
-    (@verdict $verdict:ident) => { Some($crate::VerdictOn::$verdict) };
+    (@verdict $verdict:ident) => { Some($crate::VerdictTopic::$verdict) };
     ($(#[$doc:meta])* $visibility:vis $name:ident: $code:ident, $severity:ident $(, $verdict:ident)?; $($field:ident: $value:expr),+ $(,)?) => {
         $(#[$doc])*
         $visibility static $name: $crate::Rule = $crate::Rule {

@@ -79,7 +79,7 @@ impl SizedValues {
 }
 
 /// Why the numbers of a force on a coordinate are not read.
-const UNKNOWN_COORDINATE: &str = "coordinates that are missing, or neither an angle nor a length";
+const FORCE_ON_UNKNOWN_COORDINATE: &str = "coordinates that are missing, or neither an angle nor a length";
 
 struct SizedValueReader<'m> {
     model: &'m Model,
@@ -108,7 +108,7 @@ impl SizedValueReader<'_> {
             properties.iter().any(|one| matches!(one.kind, SizedKindRule::ByCoordinate(..)));
         let is_angle = acts_on_coordinate.then(|| self.is_angle(document, element)).flatten();
         if acts_on_coordinate && is_angle.is_none() {
-            *self.not_read.entry((class.to_owned(), UNKNOWN_COORDINATE)).or_default() += 1;
+            *self.not_read.entry((class.to_owned(), FORCE_ON_UNKNOWN_COORDINATE)).or_default() += 1;
         }
         let owner = components.name(id).into_owned();
         for property in properties {

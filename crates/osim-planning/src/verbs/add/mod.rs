@@ -10,7 +10,9 @@ use std::path::Path;
 
 use osim_model::files::{Failure, Files, InMemory, OpenModel};
 use osim_model::messages::Phrase;
-use osim_model::{ComponentId, Fault, FaultKind, FindingCode, ForceId, Model, Question, Selected, Selection};
+use osim_model::{
+    ComponentId, Fault, FaultKind, FindingCode, ForceId, Model, Selected, Selection, YesQuestion,
+};
 use osim_patch::{ContactLayout, ObjectAction, Plan, RebuiltModel, remove};
 use osim_requests::BodyScale;
 use osim_requests::options::AnswerOptions;
@@ -145,7 +147,7 @@ impl AddPlanner {
 
     /// Asks about radii that look like another unit. The question for other changes does not include the radii of new spheres.
     fn ask_about_radii(&self, built: &Model, layout: &ContactLayout) -> Result<(), Fault> {
-        if self.answers.confirms(Question::ImplausibleRadius) {
+        if self.answers.confirms(YesQuestion::ImplausibleRadius) {
             return Ok(());
         }
         let new_spheres: HashSet<&str> =

@@ -9,7 +9,7 @@ use osim_model::feet::{
 };
 use osim_model::files::Files;
 use osim_model::messages::{Input, Phrase, four_significant, phrase, shown};
-use osim_model::{Fault, Model, Question, Side, Suspicion};
+use osim_model::{Fault, Model, Side, Suspicion, YesQuestion};
 use osim_patch::{ContactLayout, NewContact};
 use osim_requests::options::AnswerOptions;
 
@@ -234,7 +234,7 @@ impl FeetPlaces {
 /// The question about a mesh that is probably in another unit, or from another animal.
 fn question_about_mesh_size(model: &Model, bone: &Bone) -> Option<Suspicion> {
     let text = odd_size(model, bone)?.text;
-    Some(Suspicion::Other { question: Question::ImplausibleScale, text: text.into() })
+    Some(Suspicion::Other { question: YesQuestion::ImplausibleScale, text: text.into() })
 }
 
 /// The question about a foot that does not lie flat.
@@ -251,7 +251,7 @@ fn question_about_tilt(sole: &Sole, model: &Model) -> Option<Suspicion> {
             Input::Feet.with_placeholder("BODY,BODY"), Input::Contacts.with_placeholder("TABLE")
         ],
     });
-    Some(Suspicion::Other { question: Question::TiltedFoot, text })
+    Some(Suspicion::Other { question: YesQuestion::TiltedFoot, text })
 }
 
 /// The question about two feet that are not posed as mirror images.
@@ -278,7 +278,7 @@ fn question_about_unequal_feet(soles: &[Sole], model: &Model) -> Option<Suspicio
         angles(sole),
         angles(other),
     );
-    Some(Suspicion::Other { question: Question::UnequalFeet, text: text.into() })
+    Some(Suspicion::Other { question: YesQuestion::UnequalFeet, text: text.into() })
 }
 
 /// The new contacts of one sole. Each has the name of the body that carries it, and a number.

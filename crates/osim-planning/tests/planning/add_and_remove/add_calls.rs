@@ -1,6 +1,6 @@
 //! Requests that add contacts to a model, and changes between adding and removing them.
 
-use osim_model::{Model, Question};
+use osim_model::{Model, YesQuestion};
 use serde_json::{Value, json};
 
 pub const TABLE_OF_PLACES: &str = "places.csv";
@@ -18,7 +18,7 @@ pub struct AddCall {
 pub fn add_calls(name: &str, model: &Model) -> Vec<AddCall> {
     let bodies: Vec<&str> = model.bodies().iter().map(|body| body.name.as_str()).collect();
     let (Some(first), Some(last)) = (bodies.first(), bodies.last()) else { return Vec::new() };
-    let yes: Vec<&str> = Question::ALL.iter().map(|question| question.as_str()).collect();
+    let yes: Vec<&str> = YesQuestion::ALL.iter().map(|question| question.as_str()).collect();
     let request = |fields: Value| {
         let mut request = json!({"verb": "add", "models": [name], "yes": yes, "mass": 61.5});
         request.as_object_mut().unwrap().extend(fields.as_object().unwrap().clone());

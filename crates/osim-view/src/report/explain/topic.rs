@@ -5,7 +5,7 @@ use std::sync::LazyLock;
 use contact_scaling::Equation;
 use osim_inspect::{Figure, Quantity};
 use osim_model::messages::{Phrase, Verb};
-use osim_model::{Property, Question, Rule};
+use osim_model::{Property, Rule, YesQuestion};
 use osim_planning::{DesignQuantity, DropColumn, DropFigure, rules};
 use osim_requests::spell::FrontEnd;
 
@@ -90,7 +90,7 @@ fn is_kind_of_questions(name: &str) -> bool {
 
 /// The topics of errors that ask the user a question.
 fn questions() -> Vec<Topic> {
-    let asks = |error: &&ErrorCode| Question::ALL.iter().any(|question| question.as_str() == error.code);
+    let asks = |error: &&ErrorCode| YesQuestion::ALL.iter().any(|question| question.as_str() == error.code);
     errors().filter(asks).map(Topic::Error).collect()
 }
 

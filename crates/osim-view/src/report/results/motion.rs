@@ -4,7 +4,8 @@ use osim_model::messages::{Dialect, readable, shortest, shown};
 use osim_model::{DVec3, Side};
 use osim_motion::correct::Correction;
 use osim_motion::{
-    CORRECTED, Comparison, ContactPair, ContactState, ON_BW, SphereSummary, TouchedSurface, Wrench,
+    CORRECTED_HEADER_LINE, Comparison, ContactPair, ContactState, SphereSummary, TOUCH_DOWN_BW,
+    TouchedSurface, Wrench,
 };
 use osim_planning::{MotionRemark, MotionResult};
 
@@ -364,7 +365,7 @@ fn point_of_force(result: &MotionResult, first: Option<&ContactState>, wrench: &
     let down = (state.centre_m - state.point_m).dot(state.normal);
     let on_plane = state.centre_m - down * state.normal;
     // Below, forces act where they did last.
-    let least_n = ON_BW * result.summary.weight_n;
+    let least_n = TOUCH_DOWN_BW * result.summary.weight_n;
     wrench.centre_of_pressure(state.normal, on_plane, least_n).map(|centre| centre.point_m)
 }
 
@@ -372,7 +373,7 @@ fn point_of_force(result: &MotionResult, first: Option<&ContactState>, wrench: &
 pub fn corrected_motion(result: &MotionResult, correction: &Correction, name: &str) -> String {
     let figures = &correction.figures;
     let about = format!(
-        "{CORRECTED} of {}: loaded spheres move up or down by {:.1} mm (95 %), joints by {:.1} degrees (rms), the floor by {:.1} mm; no \
+        "{CORRECTED_HEADER_LINE} of {}: loaded spheres move up or down by {:.1} mm (95 %), joints by {:.1} degrees (rms), the floor by {:.1} mm; no \
          evidence that the contacts are right\n",
         shown(&result.opened.name().to_string()),
         1e3 * figures.lift_p95_m,
