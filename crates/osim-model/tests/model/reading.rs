@@ -428,5 +428,5 @@ fn gravity_comes_from_the_model_and_not_from_the_geometry_file() {
     };
     let read = Model::read_with(force_set_of(&text), vec![beside("1.62"), beside("9.81")]).unwrap();
     assert_eq!(read.gravity(), Some(9.81));
-    assert_eq!(read.gravity_line(), Model::parse(text.as_str()).unwrap().gravity_line());
+    assert_eq!(read.gravity_position(), Model::parse(text.as_str()).unwrap().gravity_position());
 }
