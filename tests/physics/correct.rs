@@ -212,3 +212,55 @@ fn the_walker_is_corrected_within_a_window() {
         json_object(&dir.run(&format!("{call} --correct b.sto --floor -0.011 --format json")).succeeded());
     assert_eq!(fixed["consistency"]["floor_up_m"], -0.011);
 }
+
+/// What follows a correction: a folder to track with Moco, and one for NMSM, which has the motion as it was measured.
+#[test]
+fn folders_for_moco_and_nmsm_are_written() {
+    let files = ["walker.osim", "walk.mot", "plates.sto", "plates.xml"];
+    let dir = TestDir::with(
+        &files.map(|name| (format!("motion/{name}"), name)).each_ref().map(|(from, to)| (from.as_str(), *to)),
+    );
+    // Toes that point down by 17 degrees at the default pose.
+    let ankle = "<Coordinate name=\"ankle_r\"><default_value>";
+    dir.write(
+        "walker.osim",
+        dir.text("walker.osim").replace(&format!("{ankle}0<"), &format!("{ankle}-0.3<")),
+    );
+    let call = "motion walker.osim walk.mot --plates plates.sto --loads plates.xml";
+    dir.run(&format!("{call} --correct corrected.sto --moco moco --nmsm nmsm")).succeeded();
+    let (model, script) = (dir.text("moco/model.osim"), dir.text("moco/track.py"));
+    assert!(model.contains("SmoothSphereHalfSpaceForce") && !model.contains("HuntCrossleyForce"), "{model}");
+    let column = |file: &str, name: &str| -> Vec<f64> {
+        let text = dir.text(file);
+        let table = text.split("endheader\n").nth(1).unwrap();
+        let place = table.lines().next().unwrap().split('\t').position(|column| column == name).unwrap();
+        table.lines().skip(1).map(|line| line.split('\t').nth(place).unwrap().parse().unwrap()).collect()
+    };
+    let height = |model: &str, name: &str| -> f64 {
+        let start = format!("<Coordinate name=\"{name}\"><default_value>");
+        model.split(&start).nth(1).unwrap().split('<').next().unwrap().parse().unwrap()
+    };
+    assert_eq!(height(&model, "pelvis_ty"), column("moco/motion.sto", "pelvis_ty")[0]);
+    assert!(
+        script.contains(
+            "\"plates_foot_r\": ([\"/forceset/contact_heel_r\", \"/forceset/contact_ball_r\"], []),"
+        ),
+        "{script}"
+    );
+    assert!(script.contains("START, END = 0.0, 2.4\n"), "{script}");
+    for folder in ["moco", "nmsm"] {
+        let [motion, plates] =
+            ["motion", "plates"].map(|file| column(&format!("{folder}/{file}.sto"), "time"));
+        assert_eq!(motion, plates);
+    }
+    assert_eq!(column("nmsm/motion.sto", "pelvis_ty"), vec![0.9323; 241]);
+    let flat = dir.text("nmsm/model.osim");
+    assert!(height(&flat, "ankle_r").abs() < 1e-3, "{flat}");
+    assert_eq!(height(&flat, "ankle_l"), 0.0);
+    // All files or none.
+    dir.write("moco/plates.xml", "mine");
+    std::fs::remove_file(dir.path("corrected.sto")).unwrap();
+    dir.run(&format!("{call} --correct corrected.sto --moco moco")).says(&["exists", "--force"]);
+    assert!(dir.text("moco/plates.xml") == "mine" && !dir.has("corrected.sto"));
+    dir.run(&format!("{call} --moco other")).usage_error().says(&["--correct"]);
+}

@@ -6,10 +6,12 @@ use osim_model::messages::{Input, phrase};
 use osim_planning::MotionResult;
 use osim_requests::MotionRequest;
 use osim_view::report::results::{
-    corrected_motion, external_loads_xml, ground_reactions_sto, moved_plates_sto, moved_plates_xml,
+    MOCO_FILES, NMSM_FILES, corrected_motion, external_loads_xml, ground_reactions_sto, moco_files,
+    moved_plates_sto, moved_plates_xml, nmsm_files,
 };
 
 use crate::LibraryFault;
+use crate::paths::make_folder_of;
 use crate::run::PathConflicts;
 use crate::write::{WriteMode, write_files};
 
@@ -18,6 +20,9 @@ pub struct MotionFiles {
     /// The model's ground reactions and their `ExternalLoads`; the corrected motion, and the moved plates and their `ExternalLoads`, which
     /// a treadmill needs.
     paths: Vec<Option<PathBuf>>,
+    /// Files in the folders for Moco and for NMSM.
+    moco: Vec<PathBuf>,
+    nmsm: Vec<PathBuf>,
     mode: WriteMode,
 }
 
@@ -60,8 +65,14 @@ impl MotionFiles {
         for (path, owner) in paths.iter().zip(OWNERS) {
             path.iter().try_for_each(|path| conflicts.add_output(path, owner))?;
         }
+        let in_folder = |folder: &Option<PathBuf>, names: &[&str]| -> Vec<PathBuf> {
+            folder.iter().flat_map(|folder| names.iter().map(move |name| folder.join(name))).collect()
+        };
+        let (moco, nmsm) = (in_folder(&request.moco, &MOCO_FILES), in_folder(&request.nmsm, &NMSM_FILES));
+        moco.iter().try_for_each(|path| conflicts.add_output(path, "the folder for Moco"))?;
+        nmsm.iter().try_for_each(|path| conflicts.add_output(path, "the folder for NMSM"))?;
         let mode = if request.force { WriteMode::Replace } else { WriteMode::New };
-        Ok(Self { paths, mode })
+        Ok(Self { paths, moco, nmsm, mode })
     }
 
     /// Writes the files and returns their paths. Plates are written for a treadmill only.
@@ -77,7 +88,7 @@ impl MotionFiles {
             files.push((table, ground_reactions_sto(result, &name(table))));
             files.push((loads, external_loads_xml(result, &name(table))));
         }
-        let correction = result.consistency.as_ref().and_then(|one| one.correction.as_ref());
+        let correction = result.correction();
         if let Some((correction, motion)) = correction.zip(motion) {
             files.push((motion, corrected_motion(result, correction, &name(motion))));
             let on_belt = plates.zip(plate_loads).filter(|_| correction.belt_m_s.length() > 0.0);
@@ -86,8 +97,16 @@ impl MotionFiles {
                 files.push((loads, moved_plates_xml(result, &name(plates))));
             }
         }
+        let mut files: Vec<(&Path, Vec<u8>)> =
+            files.into_iter().map(|(path, text)| (path, text.into_bytes())).collect();
+        let folders =
+            self.moco.iter().zip(moco_files(result)).chain(self.nmsm.iter().zip(nmsm_files(result)));
+        for (path, text) in folders {
+            make_folder_of(path)?;
+            files.push((path, text));
+        }
         // All are complete before the first gets its name.
-        write_files(files.iter().map(|(path, text)| (*path, text.as_bytes())), self.mode)?;
+        write_files(files.iter().map(|(path, bytes)| (*path, bytes.as_slice())), self.mode)?;
         Ok(files.into_iter().map(|(path, _)| path).collect())
     }
 }

@@ -1,5 +1,7 @@
 //! Assigns force plates to feet, and sums the measured forces under each foot.
 
+use std::ops::Range;
+
 use osim_model::Side;
 
 use crate::comparison::percentile;
@@ -76,6 +78,21 @@ impl MeasuredForces {
         }
         measured.clear_frames_beside_plates(feet, states, weight_n);
         measured
+    }
+
+    /// The longest run of frames in which the force under every foot is known.
+    pub fn longest_known(&self) -> Range<usize> {
+        let is_known =
+            |frame: usize| self.feet.iter().all(|series| matches!(series.get(frame), Some(Some(_))));
+        let (mut longest, mut first) = (0..0, 0);
+        for frame in 0..self.total.len() {
+            if !is_known(frame) {
+                first = frame + 1;
+            } else if frame + 1 - first > longest.len() {
+                longest = first..frame + 1;
+            }
+        }
+        longest
     }
 
     /// Sets frames to unknown in which a foot stands beside the plates, because the force under the foot is not measured

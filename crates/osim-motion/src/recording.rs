@@ -111,6 +111,16 @@ impl Recording {
         row_of_frame(&self.speeds, frame, self.coordinates.len())
     }
 
+    /// One frame in which all coordinates have their default values.
+    pub(crate) fn default_pose(&self, couplers: &Couplers) -> Result<Self, MotionFault> {
+        let mut pose = self.clone();
+        pose.time_s.truncate(1);
+        pose.values = self.coordinates.iter().map(|one| one.default.unwrap_or_default()).collect();
+        pose.speeds = vec![0.0; pose.values.len()];
+        pose.apply_couplers(couplers)?;
+        Ok(pose)
+    }
+
     /// The recording after `change` of the values and speeds of each frame; dependent coordinates follow.
     pub(crate) fn changed(
         &self,

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use osim_model::files::{Failure, FileName, Files, OpenModel};
 use osim_model::messages::{Input, Phrase, phrase, readable, shown};
 use osim_model::{DVec3, Fault, MassRequest, Model};
+use osim_motion::correct::Correction;
 use osim_motion::{
     AngleUnit, Belt, ContactStates, ExternalLoads, Foot, Gap, MeasuredForces, MotionFault, Plate,
     PressureOnSole, Recording, RecordingOptions, StatesError, Summary, Table,
@@ -12,6 +13,7 @@ use osim_motion::{
 use osim_requests::{AngleChoice, MotionRequest, Positive, RequestError, RequestFault, Signed};
 
 use crate::consistency::{Consistency, correction_options};
+use crate::next_step::NextModels;
 use crate::opening::{open_with, read};
 
 /// The contacts of a model along a recorded motion, compared with force plates if the request has some.
@@ -36,6 +38,8 @@ pub struct MotionResult {
     pub is_corrected: bool,
     /// Whether motion, contacts and plates agree, if the request wants a corrected motion.
     pub consistency: Option<Consistency>,
+    /// The models for what follows the correction.
+    pub next: NextModels,
 }
 
 /// Computes the contacts along the motion.
@@ -46,8 +50,19 @@ pub fn run_motion(request: &MotionRequest, files: &dyn Files) -> Result<MotionRe
     let Some(subject) = &request.subject else {
         return Err(RequestFault::Missing { field: "subject" }.into());
     };
-    let Some(motion) = &request.motion else { return Err(RequestFault::Missing { field: "motion" }.into()) };
     let opened = open_with(subject, request.set_files.companion_paths(), files)?;
+    let mut result = run_opened(request, opened, files)?;
+    result.next = NextModels::new(request, &result, files)?;
+    Ok(result)
+}
+
+/// As [`run_motion`], for a model that is open, and without models for what follows.
+pub(crate) fn run_opened(
+    request: &MotionRequest,
+    opened: OpenModel,
+    files: &dyn Files,
+) -> Result<MotionResult, RequestError> {
+    let Some(motion) = &request.motion else { return Err(RequestFault::Missing { field: "motion" }.into()) };
     let options = recording_options(motion, request.angles, request.low_pass);
     let table = read_motion(motion, (request.start, request.end), files)?;
     let recording =
@@ -121,6 +136,11 @@ pub(crate) struct FollowedMotion {
 }
 
 impl MotionResult {
+    /// The correction of the motion, if the request wants one, and it is possible.
+    pub fn correction(&self) -> Option<&Correction> {
+        self.consistency.as_ref()?.correction.as_ref()
+    }
+
     /// Corrects the motion and judges the correction.
     ///
     /// # Errors
@@ -166,6 +186,7 @@ impl FollowedMotion {
             belt,
             is_corrected: false,
             consistency: None,
+            next: NextModels::default(),
         }
     }
 }

@@ -116,10 +116,12 @@ inputs! {
     LowPass = "low_pass", "cutoff of the low-pass filter";
     Mass = "mass", "mass of the model";
     Mirror = "mirror", "axis of the mirror";
+    Moco = "moco", "folder for Moco";
     MocoSetup = "moco_setup", "Moco setup";
     Model = "model", "file of the model";
     Motion = "motion", "motion of the model";
     MovedSpheres = "moved_spheres", "spheres that were moved already";
+    Nmsm = "nmsm", "folder for NMSM";
     NoBackup = "no_backup", "keep no backup";
     NoNote = "no_note", "leave no note";
     Only = "only", "properties that change";

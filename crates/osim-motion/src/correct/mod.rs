@@ -5,6 +5,7 @@
 //! the contacts are read again along the corrected motion.
 
 mod figures;
+mod flat_feet;
 mod passes;
 mod residuals;
 mod slopes;
@@ -13,6 +14,7 @@ mod unknowns;
 mod verdict;
 
 pub use figures::{CorrectionFigures, FootErrors, ForceErrors};
+pub use flat_feet::flat_feet;
 pub use passes::{Correction, CorrectionError, correct};
 pub use unknowns::CorrectionOptions;
 pub use verdict::{Mismatch, MotionVerdict, mismatches};

@@ -18,6 +18,8 @@ use crate::{
 pub struct Correction {
     /// The motion, with locked coordinates at their defaults. On a treadmill it moves against the belt.
     pub recording: Recording,
+    /// The coordinate that is the height of the root.
+    pub root_height: String,
     /// The distance by which the floor is higher than in the model, m; the root is lower by it.
     pub floor_up_m: f64,
     /// The mean velocity of the belt, m/s; 0 without a treadmill.
@@ -168,7 +170,8 @@ pub fn correct(
     let recording = in_place.changed(&search.couplers, |frame, values, _| {
         found.level.iter().for_each(|(index, along)| values[*index] -= way_m[frame].dot(*along));
     })?;
-    Ok(Correction { recording, floor_up_m, belt_m_s, belt_way_m: way_m, figures })
+    let root_height = recording.coordinates[root].name.clone();
+    Ok(Correction { recording, root_height, floor_up_m, belt_m_s, belt_way_m: way_m, figures })
 }
 
 struct Search<'s> {

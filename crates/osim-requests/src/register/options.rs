@@ -185,6 +185,8 @@ pub(super) fn entry_of(field: Field<'_>, verb: Verb) -> Option<Entry> {
                                     the forces of the plates";
         Vertical = flag().rare(), "With `correct`: only forces along the normal of the floor and their centres count";
         Floor = value("M").signed().rare(), "With `correct`: the floor is this much higher than in the model, m [default: it is found]";
+        Moco = folder().rare(), "With `correct`: write what Moco needs to track the corrected motion and the plates into this folder";
+        Nmsm = folder().rare(), "With `correct`: write what NMSM's ground contact personalisation reads into this folder, not corrected";
         Kind = choice(PlotKind::WORDS), "What to draw";
         Data = written("FILE").about(FieldGroup::Output), "Write the numbers that are drawn to this file, too (CSV)";
         Axes = choice(AxesChoice::WORDS), "Units of indentation and force [default: x/R and N; x/R and shares of the weight for several]";

@@ -77,6 +77,8 @@ fields! {
         correct: Option<PathBuf> as "path::Optional",
         vertical: bool,
         floor: Option<Signed>,
+        moco: Option<PathBuf> as "path::Optional",
+        nmsm: Option<PathBuf> as "path::Optional",
         output: Option<PathBuf> as "path::Optional",
         force: bool,
         format: MotionFormat,
@@ -85,7 +87,8 @@ fields! {
         set_files: ..SetFiles,
     } where
         Required("subject"), Required("motion"), Needs("loads", "plates"), Excludes("belt", "belt_column"),
-        Needs("correct", "plates"), Needs("plates_delay", "plates"), Needs("vertical", "correct"), Needs("floor", "correct");
+        Needs("correct", "plates"), Needs("plates_delay", "plates"), Needs("vertical", "correct"), Needs("floor", "correct"),
+        Needs("moco", "correct"), Needs("nmsm", "correct");
 
     /// Lets a model fall on its contacts and shows what they do.
     struct DropTestRequest {

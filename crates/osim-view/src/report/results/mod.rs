@@ -4,6 +4,7 @@ mod drop;
 mod fit;
 mod motion;
 mod motion_record;
+mod next_step;
 mod preset;
 
 pub use drop::{DropDifferenceRecord, DropRecord, DropSeriesRecord, drop_chart, drop_csv, drop_text};
@@ -15,4 +16,5 @@ pub use motion::{
     MotionTouchDownRecord, corrected_motion, external_loads_xml, ground_reactions_sto, motion_columns,
     motion_csv, motion_text, moved_plates_sto, moved_plates_xml,
 };
+pub use next_step::{MOCO_FILES, NMSM_FILES, moco_files, nmsm_files};
 pub use preset::{PresetRecord, SweepRecord, design_sheet_text, preset_text};

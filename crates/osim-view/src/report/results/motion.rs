@@ -1,5 +1,7 @@
 //! Contacts along a motion: in words, as tables, and as files for OpenSim.
 
+use std::ops::Range;
+
 use osim_model::messages::{Dialect, readable, shortest, shown};
 use osim_model::{DVec3, Side};
 use osim_motion::correct::Correction;
@@ -295,12 +297,19 @@ pub fn ground_reactions_sto(result: &MotionResult, name: &str) -> String {
 /// The measured ground reactions as [`ground_reactions_sto`] has those of the model, for the corrected motion: on a treadmill their
 /// points move with it. Each foot's force acts on its first body.
 pub fn moved_plates_sto(result: &MotionResult, correction: &Correction, name: &str) -> String {
+    plates_sto(result, 0..result.states.frames(), &correction.belt_way_m, name)
+}
+
+/// The measured ground reactions in `frames`, at points that have moved back by the way of a belt.
+pub(super) fn plates_sto(result: &MotionResult, frames: Range<usize>, way_m: &[DVec3], name: &str) -> String {
     let feet = || result.summary.feet.iter().map(|foot| &foot.foot);
     let labels: Vec<&str> = feet().filter_map(|foot| Some(foot.bodies.first()?.as_str())).collect();
-    reactions_sto(&result.states.time_s, &labels, name, |foot, frame| {
+    let start = frames.start;
+    reactions_sto(&result.states.time_s[frames], &labels, name, |foot, row| {
+        let frame = start + row;
         let wrench = result.measured.as_ref().and_then(|measured| *measured.feet.get(foot)?.get(frame)?);
         let wrench = wrench.unwrap_or_default();
-        let way_m = correction.belt_way_m.get(frame).copied().unwrap_or_default();
+        let way_m = way_m.get(frame).copied().unwrap_or_default();
         let back = Wrench { moment_n_m: wrench.moment_n_m - way_m.cross(wrench.force_n), ..wrench };
         let first = feet().nth(foot).and_then(|foot| result.states.frame(frame).get(*foot.pairs.first()?));
         (back, point_of_force(result, first, &back))
@@ -338,7 +347,7 @@ fn reactions_sto(
 }
 
 /// The text of a `.sto` file; `about` is a line of its header, or empty.
-fn storage(
+pub(super) fn storage(
     name: &str,
     about: &str,
     columns: &[String],
