@@ -27,6 +27,13 @@ function results = design(varargin)
 %         K) (B.3). Takes a number.
 %     stress: Mean stress on the contact patch under the load, N/m2: x/R is F/(n pi R^2 stress) (15).
 %         Takes a number.
+%     other_young: With young: Young's modulus of the other surface, N/m2 [default: rigid]. Takes a
+%         number.
+%     other_poisson: Poisson's ratio of the other surface. Takes a number.
+%     state_smoothing: Hertz smoothing times radius, without unit, for hertz_smoothing (C.5). Takes a
+%         number.
+%     speed_smoothing: Hunt-Crossley smoothing times the root of the radius, s/m^(1/2), for
+%         hunt_crossley_smoothing (C.10). Takes a number.
 %     load: Total load on all spheres, N. Takes a number.
 %     body_weights: The load in body weights [default: 1 where a mass is known]. Takes a number.
 %     gravity: Gravity, m/s2 [default: the model's, else 9.80665]. Takes a number.

@@ -14,6 +14,8 @@ function results = drop_test(varargin)
 %         form. Takes a text.
 %     compare_spheres: With compare: the spheres that share OTHER's weight [default: as found on one
 %         limb]. Takes a whole number.
+%     foot_mass: Let a foot of this mass fall in the place of the body, kg: it is the foot that strikes
+%         the ground. Takes a number.
 %     presets: A file with presets of your own (TOML). Takes a text.
 %     radius: Sphere radius, m. Takes a number.
 %     stiffness: OpenSim's stiffness (plane strain modulus of one surface), N/m2. Takes a number.

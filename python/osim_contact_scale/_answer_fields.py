@@ -70,6 +70,10 @@ class DesignSheetFields:
     indentation_m: float
     composite_modulus_n_m2: float
     stiffness: float
+    first_modulus_n_m2: float
+    other_modulus_n_m2: float
+    composite_modulus_opensim_n_m2: float
+    opensim_over_johnson: float
     contact_stiffness_n_m: float
     dimensionless_stiffness: float
     mean_contact_stress_n_m2: float

@@ -30,12 +30,13 @@ ROW_OPTIONS = frozenset({
     "from", "geometry", "geometry_dir", "geometry_output", "gravity", "height_in", "height_ratio", "hertz_smoothing",
     "hunt_crossley_smoothing", "impact_speed", "in_place", "indentation", "indentation_column", "indentation_unit",
     "keep", "level", "level_axis", "load", "loads", "low_pass", "mass", "mirror", "model", "motion", "moved_spheres",
-    "no_backup", "no_note", "only", "onset", "output", "output_dir", "pad", "plates", "plates_delay", "poisson",
-    "presets", "radius", "radius_axis", "reference_gravity", "reference_mass", "reference_select", "reference_sphere",
-    "reference_spheres", "replace", "restitution", "rule", "select", "set", "skip_disabled", "sockets",
-    "speed_column", "speed_unit", "speed_width", "spheres", "stance_limbs", "start", "state_width", "static_friction",
-    "stiffness", "stress", "strict", "target_gravity", "target_mass", "threshold", "time_column", "time_unit", "to",
-    "transition_velocity", "unbounded", "verb", "viscous_friction", "yes", "young",
+    "no_backup", "no_note", "only", "onset", "other_poisson", "other_young", "output", "output_dir", "pad", "plates",
+    "plates_delay", "poisson", "presets", "radius", "radius_axis", "reference_gravity", "reference_mass",
+    "reference_select", "reference_sphere", "reference_spheres", "replace", "restitution", "rule", "select", "set",
+    "skip_disabled", "sockets", "speed_column", "speed_smoothing", "speed_unit", "speed_width", "spheres",
+    "stance_limbs", "start", "state_smoothing", "state_width", "static_friction", "stiffness", "stress", "strict",
+    "target_gravity", "target_mass", "threshold", "time_column", "time_unit", "to", "transition_velocity",
+    "unbounded", "verb", "viscous_friction", "yes", "young",
 })
 
 #: Options of a whole run, which no row can have.

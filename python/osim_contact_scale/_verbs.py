@@ -477,9 +477,9 @@ def convert(
 
 
 @overload
-def design(source: None = None, /, *, radius: float | str | None = None, indentation: float | None = None, contact_stiffness: float | None = None, young: float | None = None, poisson: float | None = None, stiffness: float | None = None, restitution: float | None = None, impact_speed: float | None = None, constant_indentation: float | None = None, state_width: float | None = None, speed_width: float | None = None, threshold: float | None = None, dimensionless_stiffness: float | None = None, stress: float | None = None, load: float | None = None, body_weights: float | None = None, gravity: float | None = None, contacts_mass: float | None = None, mass: float | None = None, exclude_body: str | Sequence[str] | None = None, spheres: int | None = None, stance_limbs: int | None = None, select: str | Sequence[str] | None = None, exclude: str | Sequence[str] | None = None, skip_disabled: bool = False, no_note: bool = False, yes: Question | Sequence[Question] | None = None, geometry: Source | None = None, model: Source | None = None) -> DesignSheet: ...
+def design(source: None = None, /, *, radius: float | str | None = None, indentation: float | None = None, contact_stiffness: float | None = None, young: float | None = None, poisson: float | None = None, stiffness: float | None = None, restitution: float | None = None, impact_speed: float | None = None, constant_indentation: float | None = None, state_width: float | None = None, speed_width: float | None = None, threshold: float | None = None, dimensionless_stiffness: float | None = None, stress: float | None = None, other_young: float | None = None, other_poisson: float | None = None, state_smoothing: float | None = None, speed_smoothing: float | None = None, load: float | None = None, body_weights: float | None = None, gravity: float | None = None, contacts_mass: float | None = None, mass: float | None = None, exclude_body: str | Sequence[str] | None = None, spheres: int | None = None, stance_limbs: int | None = None, select: str | Sequence[str] | None = None, exclude: str | Sequence[str] | None = None, skip_disabled: bool = False, no_note: bool = False, yes: Question | Sequence[Question] | None = None, geometry: Source | None = None, model: Source | None = None) -> DesignSheet: ...
 @overload
-def design(source: Source, /, *, radius: float | str | None = None, indentation: float | None = None, contact_stiffness: float | None = None, young: float | None = None, poisson: float | None = None, stiffness: float | None = None, restitution: float | None = None, impact_speed: float | None = None, constant_indentation: float | None = None, state_width: float | None = None, speed_width: float | None = None, threshold: float | None = None, dimensionless_stiffness: float | None = None, stress: float | None = None, load: float | None = None, body_weights: float | None = None, gravity: float | None = None, contacts_mass: float | None = None, mass: float | None = None, exclude_body: str | Sequence[str] | None = None, spheres: int | None = None, stance_limbs: int | None = None, select: str | Sequence[str] | None = None, exclude: str | Sequence[str] | None = None, skip_disabled: bool = False, no_note: bool = False, yes: Question | Sequence[Question] | None = None, geometry: Source | None = None, model: Source | None = None) -> Result: ...
+def design(source: Source, /, *, radius: float | str | None = None, indentation: float | None = None, contact_stiffness: float | None = None, young: float | None = None, poisson: float | None = None, stiffness: float | None = None, restitution: float | None = None, impact_speed: float | None = None, constant_indentation: float | None = None, state_width: float | None = None, speed_width: float | None = None, threshold: float | None = None, dimensionless_stiffness: float | None = None, stress: float | None = None, other_young: float | None = None, other_poisson: float | None = None, state_smoothing: float | None = None, speed_smoothing: float | None = None, load: float | None = None, body_weights: float | None = None, gravity: float | None = None, contacts_mass: float | None = None, mass: float | None = None, exclude_body: str | Sequence[str] | None = None, spheres: int | None = None, stance_limbs: int | None = None, select: str | Sequence[str] | None = None, exclude: str | Sequence[str] | None = None, skip_disabled: bool = False, no_note: bool = False, yes: Question | Sequence[Question] | None = None, geometry: Source | None = None, model: Source | None = None) -> Result: ...
 def design(
     source: Source | None = None,
     /,
@@ -498,6 +498,10 @@ def design(
     threshold: float | None = None,
     dimensionless_stiffness: float | None = None,
     stress: float | None = None,
+    other_young: float | None = None,
+    other_poisson: float | None = None,
+    state_smoothing: float | None = None,
+    speed_smoothing: float | None = None,
     load: float | None = None,
     body_weights: float | None = None,
     gravity: float | None = None,
@@ -548,6 +552,14 @@ def design(
         Dimensionless stiffness k R n/F under the load, 1.5 or more: x/R is 3/(2 K) (B.3)
     stress : float, optional
         Mean stress on the contact patch under the load, N/m2: x/R is F/(n pi R^2 stress) (15)
+    other_young : float, optional
+        With `young`: Young's modulus of the other surface, N/m2 [default: rigid]
+    other_poisson : float, optional
+        Poisson's ratio of the other surface.
+    state_smoothing : float, optional
+        Hertz smoothing times radius, without unit, for hertz_smoothing (C.5)
+    speed_smoothing : float, optional
+        Hunt-Crossley smoothing times the root of the radius, s/m^(1/2), for hunt_crossley_smoothing (C.10)
     load : float, optional
         Total load on all spheres, N.
     body_weights : float, optional
@@ -596,7 +608,7 @@ def design(
     >>> ocs.design("fixtures/table1/human_62kg_smooth_sphere.osim", indentation=0.16)
     <Result of design: fixtures/table1/human_62kg_smooth_sphere.osim: 12 numbers to change>
     """
-    keywords = {"radius": radius, "indentation": indentation, "contact_stiffness": contact_stiffness, "young": young, "poisson": poisson, "stiffness": stiffness, "restitution": restitution, "impact_speed": impact_speed, "constant_indentation": constant_indentation, "state_width": state_width, "speed_width": speed_width, "threshold": threshold, "dimensionless_stiffness": dimensionless_stiffness, "stress": stress, "load": load, "body_weights": body_weights, "gravity": gravity, "contacts_mass": contacts_mass, "mass": mass, "exclude_body": exclude_body, "spheres": spheres, "stance_limbs": stance_limbs, "select": select, "exclude": exclude, "skip_disabled": skip_disabled or None, "no_note": no_note or None, "yes": yes, "geometry": geometry, "model": model}
+    keywords = {"radius": radius, "indentation": indentation, "contact_stiffness": contact_stiffness, "young": young, "poisson": poisson, "stiffness": stiffness, "restitution": restitution, "impact_speed": impact_speed, "constant_indentation": constant_indentation, "state_width": state_width, "speed_width": speed_width, "threshold": threshold, "dimensionless_stiffness": dimensionless_stiffness, "stress": stress, "other_young": other_young, "other_poisson": other_poisson, "state_smoothing": state_smoothing, "speed_smoothing": speed_smoothing, "load": load, "body_weights": body_weights, "gravity": gravity, "contacts_mass": contacts_mass, "mass": mass, "exclude_body": exclude_body, "spheres": spheres, "stance_limbs": stance_limbs, "select": select, "exclude": exclude, "skip_disabled": skip_disabled or None, "no_note": no_note or None, "yes": yes, "geometry": geometry, "model": model}
     return _run.design(source, keywords)  # type: ignore[no-any-return]
 
 
@@ -609,6 +621,7 @@ def drop_test(
     samples: int | None = None,
     compare: StrPath | None = None,
     compare_spheres: int | None = None,
+    foot_mass: float | None = None,
     presets: StrPath | None = None,
     radius: float | None = None,
     stiffness: float | None = None,
@@ -645,6 +658,8 @@ def drop_test(
         Say how far this drop and that of OTHER (a model or preset) lie apart in dimensionless form.
     compare_spheres : int, optional
         With `compare`: the spheres that share OTHER's weight [default: as found on one limb]
+    foot_mass : float, optional
+        Let a foot of this mass fall in the place of the body, kg: it is the foot that strikes the ground.
     presets : path, optional
         A file with presets of your own (TOML)
     radius : float, optional
@@ -699,7 +714,7 @@ def drop_test(
     >>> round(ocs.drop_test("falisse2022").peak_force_bw, 3)
     2.492
     """
-    keywords = {"height": height, "duration": duration, "samples": samples, "compare": compare, "compare_spheres": compare_spheres, "presets": presets, "radius": radius, "stiffness": stiffness, "dissipation": dissipation, "constant_contact_force": constant_contact_force, "hertz_smoothing": hertz_smoothing, "hunt_crossley_smoothing": hunt_crossley_smoothing, "gravity": gravity, "spheres": spheres, "stance_limbs": stance_limbs, "contacts_mass": contacts_mass, "mass": mass, "exclude_body": exclude_body, "select": select, "exclude": exclude, "skip_disabled": skip_disabled or None, "geometry": geometry, "model": model, "yes": yes}
+    keywords = {"height": height, "duration": duration, "samples": samples, "compare": compare, "compare_spheres": compare_spheres, "foot_mass": foot_mass, "presets": presets, "radius": radius, "stiffness": stiffness, "dissipation": dissipation, "constant_contact_force": constant_contact_force, "hertz_smoothing": hertz_smoothing, "hunt_crossley_smoothing": hunt_crossley_smoothing, "gravity": gravity, "spheres": spheres, "stance_limbs": stance_limbs, "contacts_mass": contacts_mass, "mass": mass, "exclude_body": exclude_body, "select": select, "exclude": exclude, "skip_disabled": skip_disabled or None, "geometry": geometry, "model": model, "yes": yes}
     return _run.drop_test(subject, keywords)
 
 

@@ -163,6 +163,15 @@ const CASES_OF_SEVERAL_FILES: &[Case] = &[
         check: "model.osim --from original.osim",
     },
     Case {
+        code: "dissipation-forms",
+        fixtures: &[
+            ("table1/human_62kg_smooth_sphere.osim", "original.osim"),
+            ("table1/horse_smooth_sphere.osim", "model.osim"),
+        ],
+        before: "",
+        check: "model.osim --from original.osim",
+    },
+    Case {
         code: "unlike-recording",
         fixtures: &[
             ("motion/walker.osim", "model.osim"),

@@ -106,14 +106,14 @@ fn a_grid_may_combine_masses_properties_and_designs() {
 }
 
 /// Expected indentations are solutions of (C.9) without speed for a tenth of 37.8 kg * 9.81 m/s2, by bisection outside of this
-/// project. The last expected value has OpenSim's own smoothing.
+/// project (mpmath), with sqrt(cf)/R at most 0.3 x/R and bd in proportion to its inverse. The second model has OpenSim's own smoothing.
 #[test]
 fn a_ladder_lists_indentations_by_both_laws() {
     let dir = TestDir::with(&[EMU_MODEL]);
     dir.run("set emu.osim constant_contact_force=1e-5 hertz_smoothing=300 hunt_crossley_smoothing=50 -o default.osim").succeeded();
     for (model, expected) in [
-        ("emu", [1.246_087_627_370_075, 0.436_229_094_854_055_8, 0.135_612_394_666_728_9]),
-        ("default", [1.232_106_890_389_454_3, 0.403_310_169_022_839_2, 0.057_491_293_418_233_52]),
+        ("emu", [1.246_087_627_370_075, 0.436_229_094_854_055_8, 0.152_895_455_875_332_97]),
+        ("default", [1.232_106_890_389_454_3, 0.427_355_790_985_080_17, 0.152_895_455_875_332_97]),
     ] {
         let run = dir.run(&format!("sweep {model}.osim --ladder 3 --indentation 0.16 -d out"));
         run.succeeded().says(&["steps are equal in k R n/F by the Hertz law (B.3)"]);
@@ -200,6 +200,20 @@ fn a_ladder_goes_from_soft_to_the_designed_contact() {
         assert_eq!(rows[3][property].parse::<f64>().unwrap(), common_value(&dir, "end.osim", property));
     }
     assert!(dir.text("out/emu_ladder-2-of-4.osim").contains("by ladder step 2 of 4;"));
+    // sqrt(cf)/R and bd R are 0.098821 and 9.6; in the last step 0.3 * 0.16, and 9.6 * 0.098821/0.048 (mpmath).
+    let smoothing = [column("constant_contact_force"), column("hertz_smoothing")];
+    for (computed, expected) in smoothing.iter().flat_map(|values| [values[0], values[3]]).zip([
+        2.197_265_625e-6,
+        5.184e-7,
+        640.0,
+        1_317.615_691_74,
+    ]) {
+        assert!((computed / expected - 1.0).abs() < 1e-8, "{computed} {expected}");
+    }
+    // The caller's own constant indentation stays.
+    dir.run("sweep emu.osim --ladder 2 --indentation 0.16 --constant-indentation 0.1 -d own").succeeded();
+    let cf = common_value(&dir, "own/emu_ladder-2-of-2.osim", "constant_contact_force");
+    assert!((cf / 2.25e-6 - 1.0).abs() < 1e-12, "{cf}");
 }
 
 #[test]

@@ -117,6 +117,57 @@ fn a_dimensionless_stiffness_or_a_stress_gives_the_indentation() {
 }
 
 #[test]
+fn two_materials_have_a_modulus_by_each_rule() {
+    // mpmath: (A.1), (A.2), (A.3), and their ratio, for Poisson's ratios of 0.5, 0.3 and 0 and for equal materials.
+    for (given, [first, other, johnson, opensim, ratio]) in [
+        (
+            "3e5 --poisson 0.5 --other-young 3e5 --other-poisson 0.5",
+            [4e5, 4e5, 2e5, 141_421.356_237_309_5, 0.707_106_781_186_547_5],
+        ),
+        (
+            "1e6 --poisson 0 --other-young 1e7 --other-poisson 0",
+            [1e6, 1e7, 909_090.909_090_909_1, 746_273.213_498_438_35, 0.820_900_534_848_282_2],
+        ),
+        (
+            "1e6 --poisson 0 --other-young 1e9 --other-poisson 0",
+            [1e6, 1e9, 999_000.999_000_999, 985_185.336_841_573_4, 0.986_170_522_178_415],
+        ),
+    ] {
+        let sheet = design_sheet(&format!("--young {given}"));
+        assert_figure(&sheet, "first_modulus_n_m2", first, 1e-14);
+        assert_figure(&sheet, "other_modulus_n_m2", other, 1e-14);
+        assert_figure(&sheet, "composite_modulus_n_m2", johnson, 1e-14);
+        assert_figure(&sheet, "composite_modulus_opensim_n_m2", opensim, 1e-14);
+        assert_figure(&sheet, "opensim_over_johnson", ratio, 1e-14);
+        assert_figure(&sheet, "stiffness", 8_f64.sqrt() * johnson, 1e-14);
+    }
+    assert_refused("--young 1e6 --poisson 0 --other-young 1e6").says(&["--other-poisson"]);
+    assert_refused("human.osim --young 1e6 --poisson 0 --other-young 1e6 --other-poisson 0")
+        .says(&["without a model"]);
+}
+
+#[test]
+fn smoothing_without_dimension_is_divided_by_the_radius() {
+    // (C.5): 10/0.032; (C.10): 9/sqrt(0.032) (mpmath).
+    let wanted = "--state-smoothing 10 --speed-smoothing 9";
+    let sheet = design_sheet(&format!("--radius 0.032 {wanted}"));
+    assert_figure(&sheet, "hertz_smoothing", 312.5, 1e-15);
+    assert_figure(&sheet, "hunt_crossley_smoothing", 50.311_529_493_745_27, 1e-14);
+    let dir = TestDir::with(&[HUMAN]);
+    let plan =
+        json_object(&dir.run(&format!("design human.osim {wanted} --dry-run --format json")).succeeded());
+    for (property, expected) in
+        [("hertz_smoothing", 312.5), ("hunt_crossley_smoothing", 50.311_529_493_745_27)]
+    {
+        let changes = plan["changes"].as_array().unwrap();
+        let change = changes.iter().find(|change| change["property"] == property).unwrap();
+        assert_close(change["to"].as_f64().unwrap(), expected, 1e-14, property);
+    }
+    assert_refused("--radius 0.03 --state-smoothing 10 --state-width 0.3").says(&["--state-width"]);
+    assert_refused("--state-smoothing 10").says(&["--state-smoothing needs a radius"]);
+}
+
+#[test]
 fn design_multiplies_the_load_by_body_weights() {
     let sheet = design_sheet(
         "--mass 62 --body-weights 2.5 --spheres 6 --radius 0.032 --indentation 0.1 --gravity 9.81",

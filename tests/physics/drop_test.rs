@@ -72,6 +72,18 @@ fn drop_test(dir: &TestDir, arguments: &str) -> DropJson {
     serde_json::from_value(json_object(&run)).unwrap()
 }
 
+#[test]
+fn a_foot_falls_in_the_place_of_its_body() {
+    // Without dissipation the energy M g (h + x) is 2/5 K x^(5/2) at the deepest point: 226.375 N for 3.9 kg (mpmath).
+    let dir = TestDir::with(&[HUMAN]);
+    let numbers = "--mass 62 --foot-mass 3.9 --spheres 6 --radius 0.032 --stiffness 1e6 --dissipation 0 --samples 20001";
+    let drop = drop_test(&dir, &format!("{numbers} --duration 0.2"));
+    assert_close(drop.peak_force_n, 226.375_182_496_525_68, 1e-6, "peak force");
+    assert_close(drop.peak_force_bw, 5.918_934_456_603_706, 1e-6, "peak force over the foot's weight");
+    assert_eq!(drop.mass_kg, 3.9);
+    dir.run("drop-test human.osim --foot-mass 3.9").succeeded().says(&["3.9 kg on 6 spheres", "the foot alone falls"]);
+}
+
 fn table_1_animals(class: &str) -> TestDir {
     let dir = TestDir::new();
     for (name, ..) in DROPS_OF_TABLE_1 {

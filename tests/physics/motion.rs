@@ -101,6 +101,16 @@ fn motion_compares_feet_with_plates() {
         assert_close(peak, PLATES_PEAK_N, 1e-3, "peak of the plates");
         assert!(foot["comparison"]["vertical_rms_bw"].as_f64().unwrap() > 2.0);
         assert!(foot["stands_by_plates"].as_bool().unwrap());
+        // From the rows of the CSV, outside of this project: the largest F/(pi R x) of the ball, and the sum of -F v over a stride.
+        let stress = foot["spheres"][1]["mean_stress_n_m2"].as_f64().unwrap();
+        assert_close(stress, 1_092_740.073_751_76, 1e-9, "mean stress");
+        assert_close(
+            foot["spheres"][1]["peak_stress_n_m2"].as_f64().unwrap(),
+            1.5 * stress,
+            1e-14,
+            "peak stress",
+        );
+        assert_close(foot["lost_in_stride_j"].as_f64().unwrap(), 6.084_365_783_724_8, 1e-9, "energy lost");
     }
     // Over whole strides the plates carry the weight, within the accuracy of the walker.
     let mean = motion["measured_stride_mean_n"].as_f64().unwrap() / motion["weight_n"].as_f64().unwrap();

@@ -31,6 +31,7 @@ mod load;
 mod place_evidence;
 mod quantity;
 mod reach;
+mod real_feet;
 mod rules;
 mod serialized;
 pub mod series;

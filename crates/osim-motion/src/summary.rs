@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use contact_scaling::{limits, restitution};
+use contact_scaling::{limits, patch, restitution};
 use osim_model::DVec3;
 
 use crate::comparison::{Comparison, ComparisonPlane, percentile};
@@ -21,6 +21,9 @@ pub struct SphereSummary {
     pub largest_relative_indentation: f64,
     /// The time of the largest x/R, s.
     pub largest_at_s: f64,
+    /// The largest mean stress on the contact patch (15), N/m², and its time, s. Smoothed forces count where x exceeds √cf: below, the
+    /// patch is nearly 0, and the force is not. `None` without such a frame.
+    pub largest_stress_n_m2: Option<(f64, f64)>,
     /// Time for which x/R is above the limit of the Hertz law, s.
     pub beyond_hertz_s: f64,
     /// Time for which the centre of the sphere is below the plane (x/R above 1), s.
@@ -60,6 +63,8 @@ pub struct FootSummary {
     pub stance_depth_m: Option<f64>,
     /// The range of the depth of the deepest sphere in stance, from the 5th to the 95th percentile, m.
     pub stance_scatter_m: Option<f64>,
+    /// The energy that normal forces and friction of the foot take up in a stride, J: the mean over whole strides. `None` without one.
+    pub lost_in_stride_j: Option<f64>,
     /// The largest depth of a sphere of the foot in the whole recording, m.
     pub deepest_m: f64,
     /// The median slip velocity of the deepest sphere in stance, m/s.
@@ -195,6 +200,7 @@ impl FootSummary {
             peak_at_s: states.time_s.get(peak_at).copied().unwrap_or_default(),
             stances: stances.iter().map(|stance| StanceSummary::of(states, stance, &forces)).collect(),
             stands_by_plates: measured.is_some(),
+            lost_in_stride_j: lost_in_stride_j(states, foot, &strides(&stances)),
             stance_depth_m: percentile(0.5),
             stance_scatter_m: percentile(0.95).zip(percentile(0.05)).map(|(high, low)| high - low),
             deepest_m: deepest
@@ -278,12 +284,41 @@ impl SphereSummary {
             peak_n: all.iter().map(|state| state.normal_force_n).fold(f64::NEG_INFINITY, f64::max),
             largest_relative_indentation,
             largest_at_s: states.time_s.get(deepest).copied().unwrap_or_default(),
+            largest_stress_n_m2: largest_stress(states, pair, &all),
             beyond_hertz_s: beyond(limits::INDENTATION.value),
             beyond_radius_s: beyond(1.0),
             slip_m_s: percentile(&slips, 0.5),
             touch_downs: touch_downs(&states.time_s, &all, dissipation),
         }
     }
+}
+
+/// The largest mean stress (15) of a pair, N/m², and its time, s.
+fn largest_stress(states: &ContactStates, pair: usize, all: &[&ContactState]) -> Option<(f64, f64)> {
+    let pair = states.pairs.get(pair)?;
+    let (radius_m, least_m) = (pair.law.hertz().radius_m(), pair.smoothing.unwrap_or(0.0).sqrt());
+    let deep = all.iter().zip(&states.time_s).filter(|(state, _)| state.indentation_m > least_m);
+    let stress = |(state, time_s): (&&ContactState, &f64)| {
+        let x = state.indentation_m / radius_m;
+        Some((patch::mean_stress(state.normal_force_n, radius_m, x).ok()?, *time_s))
+    };
+    deep.filter_map(stress).max_by(|a, b| a.0.total_cmp(&b.0))
+}
+
+/// The energy that goes into the contacts of a foot in each of the strides `spans`, J: the mean. What springs hold at the begin of a stride
+/// they hold at its end.
+fn lost_in_stride_j(states: &ContactStates, foot: &Foot, spans: &[(f64, f64)]) -> Option<f64> {
+    let power = |frame: usize| -> f64 {
+        let into =
+            |state: &ContactState| state.normal_force_n * state.rate_m_s - state.force_n.dot(state.slip_m_s);
+        foot.contacts(states, frame).map(into).sum()
+    };
+    let lost = |&span: &(f64, f64)| -> f64 {
+        let frames = frames_between(&states.time_s, span);
+        let steps = frames.clone().zip(frames.skip(1));
+        steps.map(|(a, b)| (states.time_s[b] - states.time_s[a]) * (power(a) + power(b)) / 2.0).sum()
+    };
+    (!spans.is_empty()).then(|| spans.iter().map(lost).sum::<f64>() / spans.len() as f64)
 }
 
 fn touch_downs(time_s: &[f64], states: &[&ContactState], dissipation: f64) -> Vec<TouchDown> {

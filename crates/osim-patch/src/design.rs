@@ -72,6 +72,10 @@ pub struct Design {
     pub state_width: Option<(f64, f64)>,
     /// Threshold t, without a unit, and width Δv in m/s of (C.10).
     pub speed_width: Option<(f64, f64)>,
+    /// Wanted b_x̂ of (C.5), without a unit.
+    pub state_smoothing: Option<f64>,
+    /// Wanted b_ẋ of (C.10), in s/√m.
+    pub speed_smoothing: Option<f64>,
     /// The rule for the radii, unless a contact stiffness is wanted.
     pub radius: RadiusRule,
     /// Wanted stiffness of one sphere at the wanted indentation and load, N/m. It determines the radius (11, B.2); `radius`
@@ -220,8 +224,9 @@ impl Design {
 
     /// Whether the design gives every property that the paper scales. A `HuntCrossleyForce` has no smoothing.
     fn is_complete(&self, smooth: bool) -> bool {
-        let smoothing =
-            self.constant_indentation.is_some() && self.state_width.is_some() && self.speed_width.is_some();
+        let state = self.state_width.is_some() || self.state_smoothing.is_some();
+        let speed = self.speed_width.is_some() || self.speed_smoothing.is_some();
+        let smoothing = self.constant_indentation.is_some() && state && speed;
         self.modulus.is_some() && self.restitution.is_some() && (smoothing || !smooth)
     }
 
@@ -248,13 +253,20 @@ impl Design {
                 let Some(x) = self.constant_indentation else { return Ok(None) };
                 (smoothing::constant_contact_force(x, radius_m).map_err(Fault::new)?, "C.2")
             }
-            Property::HertzSmoothing if smooth => {
-                let Some((t, width)) = self.state_width else { return Ok(None) };
-                (smoothing::hertz_smoothing_for_width(t, width, radius_m).map_err(Fault::new)?, "C.8")
-            }
+            Property::HertzSmoothing if smooth => match (self.state_smoothing, self.state_width) {
+                (Some(b), _) => (smoothing::hertz_smoothing(b, radius_m).map_err(Fault::new)?, "C.5"),
+                (None, Some((t, width))) => {
+                    (smoothing::hertz_smoothing_for_width(t, width, radius_m).map_err(Fault::new)?, "C.8")
+                }
+                (None, None) => return Ok(None),
+            },
             Property::HuntCrossleySmoothing if smooth => {
-                let Some((t, width)) = self.speed_width else { return Ok(None) };
-                (smoothing::hunt_crossley_smoothing_for_speed_width(t, width).map_err(Fault::new)?, "C.10")
+                let bv = match (self.speed_smoothing, self.speed_width) {
+                    (Some(b), _) => smoothing::hunt_crossley_smoothing(b, radius_m),
+                    (None, Some((t, width))) => smoothing::hunt_crossley_smoothing_for_speed_width(t, width),
+                    (None, None) => return Ok(None),
+                };
+                (bv.map_err(Fault::new)?, "C.10")
             }
             _ => return Ok(None),
         }))
@@ -381,6 +393,10 @@ impl Design {
         let speed = self
             .speed_width
             .map(|(t, width)| format!("speed transition over {} m/s (threshold {t})", readable(width)));
+        let state =
+            state.or(self.state_smoothing.map(|b| format!("Hertz smoothing times radius {}", readable(b))));
+        let root = |b| format!("Hunt-Crossley smoothing times root of radius {} s/m^(1/2)", readable(b));
+        let speed = speed.or(self.speed_smoothing.map(root));
         [modulus, restitution, constant, state, speed].into_iter().flatten().collect()
     }
 }

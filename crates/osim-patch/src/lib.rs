@@ -65,7 +65,7 @@ pub use crate::plan::{Masses, Plan, RecordingErrors};
 pub use crate::rescale::{
     OPERATION_FOLLOWING_BODIES, OPERATION_FOLLOWING_NOTE, OPERATION_FOLLOWING_SCALE_FILE, Rescale, rescale,
 };
-pub use crate::rules::{REMARK_PLACES_STAY, RULES};
+pub use crate::rules::{REMARK_PLACES_STAY, RULES, forms_of_dissipation};
 pub use crate::set::{Set, set};
 pub use crate::transfer::{
     Reference, ReferenceContact, ScalingRule, Transfer, reference_of_layout, reference_of_model, transfer,

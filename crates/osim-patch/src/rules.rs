@@ -175,20 +175,27 @@ pub(crate) fn warn_forces(plan: &mut PlanBuilder<'_>, forces: &[ForceId], proper
 /// The two forms of (14) part where they differ by more than this factor.
 const SAME_DISSIPATION: f64 = 1.1;
 
-/// Adds a remark, once, if (14) by radius and (14) by mass give clearly different dissipations of a contact with the dissipation `from`.
-pub(crate) fn remark_on_dissipation(remarks: &mut Vec<Phrase>, ratios: &Ratios, from: f64) {
+const START_OF_FORMS: &str = "(14) has two forms: ";
+
+/// What (14) by radius and by mass makes of the dissipation `from`, s/m, in words; `None` if the two hardly differ.
+pub fn forms_of_dissipation(ratios: &Ratios, from: f64) -> Option<String> {
     let [by_radius, by_mass] =
         [ratios.dissipation(), ratios.dissipation_by_mass()].map(|factor| from * factor);
     let apart = by_radius / by_mass;
-    let start = "(14) has two forms: ";
-    let is_new = !remarks.iter().any(|remark| remark.to_string().starts_with(start));
-    if is_new && (apart > SAME_DISSIPATION || apart * SAME_DISSIPATION < 1.0) {
-        remarks.push(phrase![
-            "{start}{} s/m by radius keeps the restitution after falls of equal height over radius, {} s/m by mass that at speeds in \
-             proportion to M^(1/6)";
-            four_significant(by_radius), four_significant(by_mass)
-        ]);
-    }
+    (apart > SAME_DISSIPATION || apart * SAME_DISSIPATION < 1.0).then(|| {
+        format!(
+            "{START_OF_FORMS}{} s/m by radius keeps the restitution after falls of equal height over radius, {} s/m by mass that at speeds \
+             in proportion to M^(1/6)",
+            four_significant(by_radius),
+            four_significant(by_mass)
+        )
+    })
+}
+
+/// Adds a remark, once, if (14) by radius and (14) by mass give clearly different dissipations of a contact with the dissipation `from`.
+pub(crate) fn remark_on_dissipation(remarks: &mut Vec<Phrase>, ratios: &Ratios, from: f64) {
+    let is_new = !remarks.iter().any(|remark| remark.to_string().starts_with(START_OF_FORMS));
+    remarks.extend(forms_of_dissipation(ratios, from).filter(|_| is_new).map(Phrase::from));
 }
 
 /// A remark on how far the lowest points of spheres move, if radii change and centres do not.

@@ -29,6 +29,8 @@ pub struct DropResult {
     /// Number n of spheres that share the weight.
     pub sphere_count: f64,
     pub report: DropReport,
+    /// Whether only the foot of the body falls.
+    pub is_of_foot: bool,
     /// Comparison with another drop, if the request names one.
     pub compared: Option<ComparedDrop>,
     /// The bodies whose mass differs from the mass that their contacts were made for, by name.
@@ -56,6 +58,7 @@ struct BodyOptions {
     spheres: Option<f64>,
     stance_limbs: Option<f64>,
     gravity_m_s2: Option<f64>,
+    foot_kg: Option<f64>,
     count_of: CountedSpheres,
 }
 
@@ -94,7 +97,8 @@ pub fn run_drop_test(request: &DropTestRequest, files: &dyn Files) -> Result<Dro
     let both = [Some(&prepared_drop), other.as_ref()].into_iter().flatten();
     let mismatches = both.filter_map(|one| Some((one.name.to_string(), one.mismatch.clone()?))).collect();
     let (name, sphere_count) = (prepared_drop.name.clone(), prepared_drop.sphere_count);
-    Ok(DropResult { name, values, sphere_count, report, compared, mismatches })
+    let is_of_foot = request.foot_mass.is_some();
+    Ok(DropResult { name, values, sphere_count, report, is_of_foot, compared, mismatches })
 }
 
 fn options_for_subject(request: &DropTestRequest) -> BodyOptions {
@@ -103,6 +107,7 @@ fn options_for_subject(request: &DropTestRequest) -> BodyOptions {
         spheres: request.counts.spheres(),
         stance_limbs: request.counts.stance_limbs.map(Count::get),
         gravity_m_s2: request.numbers.gravity(),
+        foot_kg: request.foot_mass.map(Kilograms::get),
         count_of: CountedSpheres::Model,
     }
 }
@@ -113,6 +118,7 @@ fn options_for_compared(request: &DropTestRequest) -> BodyOptions {
         spheres: request.compare_spheres.map(Count::get),
         stance_limbs: None,
         gravity_m_s2: None,
+        foot_kg: None,
         count_of: CountedSpheres::Compared,
     }
 }
@@ -167,7 +173,8 @@ fn drop_of_model(
     };
     // The body falls along the normal of its floor.
     let along_normal = gravity * weight_share_on_floor(model, &sharing.forces);
-    let weight = Weight { mass_kg: mass.kg, gravity_m_s2: along_normal, sphere_count: count };
+    let mass_kg = own.foot_kg.unwrap_or(mass.kg);
+    let weight = Weight { mass_kg, gravity_m_s2: along_normal, sphere_count: count };
     let prepared_drop = prepare_drop(request, open.name(), spheres, &weight)
         .map_err(|error| Fault::refused(error.to_string()))?;
     let stance = Stance { spheres: own.spheres, limbs: own.stance_limbs, ..Stance::default() };
@@ -185,7 +192,7 @@ fn drop_of_preset(
     let on_limbs = scale.sphere_count() * own.stance_limbs.unwrap_or(1.0);
     let count = own.spheres.unwrap_or(on_limbs);
     let weight = Weight {
-        mass_kg: own.mass_kg.unwrap_or(scale.mass_kg()),
+        mass_kg: own.foot_kg.or(own.mass_kg).unwrap_or(scale.mass_kg()),
         gravity_m_s2: own.gravity_m_s2.unwrap_or(scale.gravity_m_s2()),
         sphere_count: count,
     };
@@ -218,7 +225,8 @@ fn drop_of_numbers(request: &DropTestRequest) -> Result<PreparedDrop, RequestFau
     let law = Contact::new(values).and_then(|contact| Law::of(&contact, radius));
     let spheres = vec![law.and_then(|law| Spheres::new(law, count)).map_err(domain_fault)?];
     let gravity_m_s2 = numbers.gravity().unwrap_or(STANDARD_GRAVITY_M_S2);
-    let weight = Weight { mass_kg: mass, gravity_m_s2, sphere_count: count };
+    let mass_kg = request.foot_mass.map_or(mass, Kilograms::get);
+    let weight = Weight { mass_kg, gravity_m_s2, sphere_count: count };
     prepare_drop(request, "the numbers given", spheres, &weight).map_err(domain_fault)
 }
 

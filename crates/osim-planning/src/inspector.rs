@@ -44,6 +44,8 @@ struct GenericModel {
     file: Option<ScaleFile>,
     /// The size of the generic model, and the quantities in it that follow size.
     size: ModelSize,
+    /// Root mean square of the radii of its contacts, m, and dissipation of the first, s/m.
+    radius_and_dissipation: Option<[f64; 2]>,
     /// The Moco setup for the models that are compared with the generic model.
     moco: Option<Document>,
     /// Codes of the findings about the generic model. Models with its contacts have the same faults.
@@ -88,6 +90,7 @@ fn generic_model(
         contacts,
         file,
         size,
+        radius_and_dissipation: rules::radius_and_dissipation(&generic.model),
         moco: None,
         codes: findings.iter().map(|one| one.code()).collect(),
         fault,
@@ -214,7 +217,9 @@ impl Inspector {
         let mesh = rules::find_odd_mesh(model, &name.to_path(), files);
         let similarity = self.scaled_with_size(model);
         let density = similarity.as_ref().and_then(rules::find_mass_against_length);
-        let beside: Vec<Finding> = compiled.cloned().into_iter().chain(mesh).chain(density).collect();
+        let forms = similarity.as_ref().and_then(|sizes| self.forms_of_dissipation(model, inspected, sizes));
+        let beside = [compiled.cloned(), mesh, density, forms];
+        let beside: Vec<Finding> = beside.into_iter().flatten().collect();
         let result = check_with_trials(&self.options, model, inspected, &beside);
         let inspect = |name: &FileName, model: &Model| self.inspect_again(name, model);
         let of_reference = match (&self.generic, &self.place_reference) {
@@ -228,6 +233,19 @@ impl Inspector {
             result.add_recording(motion.answer(&name.to_path(), files));
         }
         result
+    }
+
+    /// The remark that the forms of (14) part, if the contacts are no longer those of the generic model.
+    fn forms_of_dissipation(
+        &self,
+        model: &Model,
+        inspected: &Inspection,
+        sizes: &SizeList,
+    ) -> Option<Finding> {
+        let Some(Ok(generic)) = &self.generic else { return None };
+        inspected.placement.as_ref().filter(|placement| !placement.was_left_behind())?;
+        let now = rules::radius_and_dissipation(model)?;
+        rules::find_dissipation_forms(sizes, generic.radius_and_dissipation?, now)
     }
 
     /// The numbers of `model`, besides contacts, that follow its size, compared with the generic model.

@@ -4,16 +4,21 @@ use std::collections::{BTreeSet, HashSet};
 use std::path::Path;
 use std::sync::LazyLock;
 
+use contact_scaling::{RatioValues, Ratios};
 use osim_inspect::{Bottom, SizeList, StandingBody};
 use osim_model::feet::{DefaultPose, FootBodies, MeshFolders, odd_meshes};
 use osim_model::files::Files;
-use osim_model::messages::{Phrase, readable, shown, three_significant};
+use osim_model::messages::{Phrase, four_significant, readable, shown, three_significant};
 use osim_model::rule;
-use osim_model::{Anatomy, Example, Finding, FindingCode, Model, Repair, Rule};
+use osim_model::{
+    Anatomy, Example, Finding, FindingCode, Model, Repair, Rule, loaded_spheres_alone, root_mean_square,
+};
+use osim_patch::forms_of_dissipation;
 
 const RULES: &[&Rule] = &[
     &BOTTOMS_MOVED,
     &COMPILED_MODEL_BESIDE,
+    &DISSIPATION_FORMS,
     &HARD_LINKED,
     &MASS_AGAINST_LENGTH,
     &ODD_MESH,
@@ -181,6 +186,40 @@ pub(crate) fn find_mass_against_length(sizes: &SizeList) -> Option<Finding> {
         three_significant(density),
     );
     is_unlike.then(|| Finding::new(&MASS_AGAINST_LENGTH, text))
+}
+
+rule! { DISSIPATION_FORMS: DissipationForms, Remark, Mass;
+    what: "By radius and by mass, dissipation follows from the model that was scaled by clearly different factors.",
+    why: "(14) has two forms, R^(-1/2) and M^(-1/6), which agree where radii go with M^(1/3). Each keeps the restitution at other speeds; legs move at speeds in proportion to the root of their length.",
+    advice: "Take the form that fits the speeds that you simulate, with `dissipation_by`",
+    repair: Repair::NotPossible("only you know at which speeds the feet land"),
+    example: Example::Request {
+        good: r#"{"verb": "check", "models": ["scale_tool/scaled_smooth.osim"], "from": "scale_tool/generic_smooth.osim"}"#,
+        bad: r#"{"verb": "check", "models": ["table1/horse_smooth_sphere.osim"], "from": "table1/human_62kg_smooth_sphere.osim"}"# },
+}
+
+/// The root mean square of the radii of a model's contacts, m, and the dissipation of the first, s/m.
+pub(crate) fn radius_and_dissipation(model: &Model) -> Option<[f64; 2]> {
+    let loaded = loaded_spheres_alone(model, &model.force_ids()).ok()?;
+    let radius_m = root_mean_square(loaded.iter().map(|sphere| sphere.radius_m));
+    Some([radius_m, loaded.first()?.contact.dissipation()])
+}
+
+/// The remark that the forms of (14) part for a model whose contacts are those of a reference, both as [`radius_and_dissipation`] gives them.
+pub(crate) fn find_dissipation_forms(
+    sizes: &SizeList,
+    [reference_m, from]: [f64; 2],
+    [radius_m, now]: [f64; 2],
+) -> Option<Finding> {
+    let gravity = sizes.gravity_ratio.unwrap_or(1.0);
+    let (mass, radius) = (sizes.mass_ratio?, radius_m / reference_m);
+    let ratios = |radius| Ratios::new(RatioValues { mass, sphere_count: 1.0, radius, gravity }).ok();
+    let forms = forms_of_dissipation(&ratios(radius)?, from)?;
+    let legs = sizes.length_ratio.filter(|_| sizes.length_source == "joints").and_then(ratios);
+    let legs = legs.map(|legs| four_significant(from * legs.dissipation()));
+    let legs = legs.map(|legs| format!(", {legs} s/m by length of bones that at speeds of legs"));
+    let text = format!("{forms}{}; this model has {}", legs.unwrap_or_default(), four_significant(now));
+    Some(Finding::new(&DISSIPATION_FORMS, text))
 }
 
 rule! { UNLIKE_RECORDING: UnlikeRecording, Warning, Recording;

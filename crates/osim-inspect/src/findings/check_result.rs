@@ -43,6 +43,9 @@ pub struct CheckResult {
     #[serde(skip)]
     #[cfg_attr(feature = "schemas", schemars(skip))]
     pub corrected: usize,
+    /// Sentences about the contacts beside measured feet.
+    #[serde(skip)]
+    pub beside_real_feet: Vec<String>,
     /// What else of the model follows its size, compared with the model that was scaled, if one is given.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub similarity: Option<SizeList>,
@@ -121,6 +124,7 @@ impl CheckResult {
             commands: Vec::new(),
             steps: Vec::new(),
             corrected: 0,
+            beside_real_feet: inspected.beside_real_feet(),
             similarity: None,
         }
         .with_steps_of_remedies()

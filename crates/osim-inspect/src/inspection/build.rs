@@ -14,6 +14,7 @@ use osim_model::{
 
 use crate::inspection::inspected::{FactorsBySource, Origins, Parameters};
 use crate::inspection::standing::{RestsToCompute, StandingBody};
+use crate::real_feet::spheres_under_heels;
 use crate::rules::{contacts, model_findings};
 use crate::{
     ContactsMass, ContactsOrigin, Dimensionless, Figures, InspectOptions, InspectedBody, InspectedFactors,
@@ -106,6 +107,7 @@ impl InspectOptions {
             similarity: None,
             reference_contacts: None,
             figures: figures.unwrap_or_else(|fault| Figures::absent(fault.phrase())),
+            heel_spheres: spheres_under_heels(model),
             standing: bodies,
             why_no_standing: standing.err().map(|fault| fault.to_string()),
         }

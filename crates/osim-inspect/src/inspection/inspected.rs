@@ -79,6 +79,9 @@ pub struct Inspection {
     pub similarity: Option<SizeList>,
     /// What the contacts do under the weight.
     pub figures: Figures,
+    /// Component paths of the spheres under heels.
+    #[serde(skip)]
+    pub heel_spheres: Vec<String>,
     /// Each joint tree with spheres over a floor: how high it is at the default pose, and the coordinate with which it stands.
     pub standing: Vec<StandingBody>,
     /// Why `standing` is not known, in words: the default pose of a body is not known.

@@ -216,7 +216,7 @@ pub(super) fn find_beyond_hertz(check: &FigureCheck<'_>) -> Option<FindingWithRe
     let text = format!(
         "under body weight on one limb spheres sink in {x} R, and Hertz theory holds up to {limit} R"
     );
-    Some(check.finding_at_sphere(&BEYOND_HERTZ, &text, &affected).into())
+    Some(with_ways(check.finding_at_sphere(&BEYOND_HERTZ, &text, &affected), affected.largest))
 }
 
 /// What brings spheres that sink in by `x` of their radius to the limit of Hertz' law, each change alone; `None` within the limit.
@@ -226,6 +226,13 @@ pub fn ways_within_hertz(x: f64) -> Option<String> {
     Some(format!(
         "one of these alone gives {limit} R: radius x{radius}, stiffness x{stiffness}, or {stiffness} times as many spheres"
     ))
+}
+
+/// Adds to the message of a finding what brings spheres that sink in by `x` of their radius to the limit.
+fn with_ways(finding: Finding, x: f64) -> FindingWithRemedy {
+    let Some(ways) = ways_within_hertz(x) else { return finding.into() };
+    let message = phrase![&finding.message, "; ", ways];
+    finding.with_message(message).into()
 }
 
 rule! { pub(super) BEYOND_HERTZ_AT_TWO: BeyondHertzAtTwo, Remark, Mass;
@@ -246,5 +253,5 @@ pub(super) fn find_beyond_hertz_at_two(check: &FigureCheck<'_>) -> Option<Findin
     let text = format!(
         "under two body weights on one limb spheres sink in {x} R, and Hertz theory holds up to {limit} R"
     );
-    Some(check.finding_at_sphere(&BEYOND_HERTZ_AT_TWO, &text, &affected).into())
+    Some(with_ways(check.finding_at_sphere(&BEYOND_HERTZ_AT_TWO, &text, &affected), affected.largest))
 }

@@ -393,3 +393,23 @@ fn the_reason_for_absent_figures_is_in_the_words_of_the_front_end() {
     let why = figures.why_no_body_weight.unwrap().to_string();
     assert!(why.ends_with("say it with SPHERES"), "{why}");
 }
+
+#[test]
+fn contacts_stand_beside_measured_feet() {
+    // mpmath: 3/(2 x/R) of the human of Table 1; the paper gives 3 to 13 times 4.24 for pads.
+    let sentences = inspect_with(HUMAN, Stance::default()).beside_real_feet();
+    assert!(sentences[0].starts_with("k R n/F at one body weight is 4.246; 12.72 to 55.12 in"), "{sentences:?}");
+    // Where this fixture's heels are is not known.
+    assert_eq!(sentences.len(), 1);
+    let Some(corpus) = std::env::var_os("OSIM_CORPUS").map(std::path::PathBuf::from) else { return };
+    let falisse = std::fs::read_to_string(corpus.join("v40000_falisse_2022_human.osim")).unwrap();
+    let sentences = inspect_with(&falisse, Stance::default()).beside_real_feet();
+    // The paper's 27 kN/m of two spheres, exactly 26.896; an impact at sqrt(gR/2) keeps 0.5494 of its speed (mpmath).
+    for (sentence, parts) in sentences[1..].iter().zip([
+        ["2 spheres under the heel: 26.9 kN/m together", "810 to 1350"],
+        ["at 0.3961 m/s loses 69.82 %", "30.9 to 48.2"],
+    ]) {
+        assert!(parts.iter().all(|part| sentence.contains(part)), "{sentences:?}");
+    }
+    assert_eq!(sentences.len(), 3);
+}

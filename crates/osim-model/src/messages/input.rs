@@ -81,6 +81,7 @@ inputs! {
     Floor = "floor", "height of the floor";
     FollowBodies = "follow_bodies", "spheres follow their bodies";
     FontSize = "font_size", "size of the letters";
+    FootMass = "foot_mass", "mass of the foot that falls";
     Force = "force", "replace existing files";
     ForceColumn = "force_column", "column of the force";
     ForceUnit = "force_unit", "unit of the force";
@@ -126,6 +127,8 @@ inputs! {
     NoNote = "no_note", "leave no note";
     Only = "only", "properties that change";
     Onset = "onset", "where contact begins";
+    OtherPoisson = "other_poisson", "Poisson's ratio of the other surface";
+    OtherYoung = "other_young", "Young's modulus of the other surface";
     Output = "output", "output file";
     OutputDir = "output_dir", "output folder";
     Pad = "pad", "sole below the bones";
@@ -155,11 +158,13 @@ inputs! {
     Sockets = "sockets", "paths of sockets";
     Soft = "soft", "dimensionless stiffness of the first step";
     SpeedColumn = "speed_column", "column of the speed";
+    SpeedSmoothing = "speed_smoothing", "Hunt-Crossley smoothing times the root of the radius";
     SpeedUnit = "speed_unit", "unit of the speed";
     SpeedWidth = "speed_width", "width of the transition in speed";
     Spheres = "spheres", "spheres that share the body weight";
     StanceLimbs = "stance_limbs", "limbs that share the body weight";
     Start = "start", "start of the motion's window";
+    StateSmoothing = "state_smoothing", "Hertz smoothing times the radius";
     StateWidth = "state_width", "width of the contact transition over radius";
     StaticFriction = "static_friction", "static friction";
     Stiffness = "stiffness", "OpenSim's stiffness";

@@ -4,7 +4,6 @@ use contact_scaling::sizing::{KnownQuantities, Sizing, SizingError};
 use contact_scaling::{DomainError, SharedLoad, SmoothingValues, modulus, patch, restitution, smoothing};
 use osim_model::RadiusRule;
 use osim_model::messages::{Input, Phrase, phrase, readable};
-use osim_requests::options::WantedOptions;
 use osim_requests::{
     Count, DesignRequest, Kilograms, PoissonRatio, Positive, RelativeIndentation, RequestFault,
     RestitutionCoefficient,
@@ -29,6 +28,8 @@ pub(super) struct DesignInputs {
 #[derive(Clone, Copy, PartialEq)]
 pub(super) enum ModulusSource {
     Young,
+    /// The plane strain moduli of two surfaces, N/m².
+    TwoSurfaces([f64; 2]),
     Stiffness,
     Sizing,
 }
@@ -38,6 +39,7 @@ impl ModulusSource {
     pub(super) fn equation(self) -> Option<&'static str> {
         match self {
             Self::Young => Some("A.1, A.5"),
+            Self::TwoSurfaces(_) => Some("A.1, A.2"),
             Self::Stiffness => Some("A.4"),
             Self::Sizing => None,
         }
@@ -76,11 +78,17 @@ impl DesignInputs {
         }
         let weight = mass_kg.map(|kg| kg * gravity_m_s2 * request.load.body_weights());
         let young = wanted.young.map(Positive::get).zip(wanted.poisson.map(PoissonRatio::get));
+        let other = request.other_young.map(Positive::get).zip(request.other_poisson.map(PoissonRatio::get));
+        let of_material = |(young, poisson)| modulus::plane_strain(young, poisson).map_err(domain_fault);
         let (composite_modulus, modulus) = match (young, wanted.stiffness) {
-            // A soft body on rigid ground (A.5): E* is the body's own plane strain modulus.
-            (Some((young, poisson)), _) => {
-                (Some(modulus::plane_strain(young, poisson).map_err(domain_fault)?), ModulusSource::Young)
-            }
+            (Some(young), _) => match (of_material(young)?, other.map(of_material).transpose()?) {
+                // A soft body on rigid ground (A.5): E* is the body's own plane strain modulus.
+                (own, None) => (Some(own), ModulusSource::Young),
+                (own, Some(other)) => {
+                    let composite = modulus::composite_johnson(own, other).map_err(domain_fault)?;
+                    (Some(composite), ModulusSource::TwoSurfaces([own, other]))
+                }
+            },
             (None, Some(surface)) => {
                 let composite = modulus::composite_of_equal(surface.get(), modulus::MixingRule::Sherman);
                 (Some(composite.map_err(domain_fault)?), ModulusSource::Stiffness)
@@ -243,12 +251,14 @@ pub(super) struct AtRest {
 impl AtRest {
     /// The contact for the wanted numbers; `None` if no smoothing is wanted, or no dissipation is known.
     fn from_wanted(
-        wanted: &WantedOptions,
+        request: &DesignRequest,
         radius_m: Option<f64>,
         gravity_m_s2: f64,
     ) -> Result<Option<Self>, RequestFault> {
-        let width = wanted.speed_width.map(Positive::get);
-        if width.is_none() && wanted.constant_indentation.is_none() && wanted.state_width.is_none() {
+        let wanted = &request.wanted;
+        let given =
+            [request.state_smoothing, request.speed_smoothing, wanted.state_width, wanted.speed_width];
+        if given.iter().all(Option::is_none) && wanted.constant_indentation.is_none() {
             return Ok(None);
         }
         let fall = || radius_m.map(|radius| restitution::drop_speed(gravity_m_s2, radius)).transpose();
@@ -259,16 +269,11 @@ impl AtRest {
         let target = wanted.restitution.map(RestitutionCoefficient::get);
         let Some((target, speed)) = target.zip(speed) else { return Ok(None) };
         let dissipation_s_m = restitution::dissipation(target, speed).map_err(domain_fault)?;
-        let threshold = wanted.threshold.get();
-        let smoothing_s_m = match width {
-            Some(width) => {
-                smoothing::hunt_crossley_smoothing_for_speed_width(threshold, width).map_err(domain_fault)?
-            }
-            None => SmoothingValues::OPENSIM_DEFAULT.hunt_crossley_smoothing,
-        };
+        let wanted_s_m = speed_smoothing(request, radius_m)?;
+        let smoothing_s_m = wanted_s_m.unwrap_or(SmoothingValues::OPENSIM_DEFAULT.hunt_crossley_smoothing);
         let speed_state =
             smoothing::speed_state_at_rest(dissipation_s_m, smoothing_s_m).map_err(domain_fault)?;
-        Ok(Some(Self { speed_state, dissipation_s_m, smoothing_s_m, is_default: width.is_none() }))
+        Ok(Some(Self { speed_state, dissipation_s_m, smoothing_s_m, is_default: wanted_s_m.is_none() }))
     }
 
     /// Whether the force at speed 0 differs from the Hertz force.
@@ -291,6 +296,24 @@ impl AtRest {
     }
 }
 
+/// The wanted bv, s/m, by the width in speed or by b_ẋ (C.10); `None` if none is wanted, or the radius that b_ẋ needs is not known.
+///
+/// # Errors
+/// A number outside its domain.
+pub(super) fn speed_smoothing(
+    request: &DesignRequest,
+    radius_m: Option<f64>,
+) -> Result<Option<f64>, RequestFault> {
+    let threshold = request.wanted.threshold.get();
+    let of_width =
+        |width: Positive| smoothing::hunt_crossley_smoothing_for_speed_width(threshold, width.get());
+    let reduced = request.speed_smoothing.zip(radius_m);
+    let of_reduced =
+        |(reduced, radius): (Positive, f64)| smoothing::hunt_crossley_smoothing(reduced.get(), radius);
+    let known = request.wanted.speed_width.map(of_width).or(reduced.map(of_reduced));
+    known.transpose().map_err(domain_fault)
+}
+
 /// All quantities of a sphere under its load, if enough of them are known, and the smoothed contact at speed 0 from which they were
 /// computed.
 ///
@@ -299,12 +322,12 @@ impl AtRest {
 pub(super) fn solve_at_rest(
     known: &KnownQuantities,
     inputs: &DesignInputs,
-    wanted: &WantedOptions,
+    request: &DesignRequest,
 ) -> Result<(Option<Sizing>, Option<AtRest>), RequestFault> {
     let mut radius = inputs.radius_m;
     let mut solution = (None, None);
     for _ in 0..MOST_RADIUS_ITERATIONS {
-        let at_rest = AtRest::from_wanted(wanted, radius, inputs.gravity_m_s2)?;
+        let at_rest = AtRest::from_wanted(request, radius, inputs.gravity_m_s2)?;
         let sizing = match known.solve_smoothed(at_rest.map_or(1.0, |known| known.speed_state)) {
             Ok(sizing) => Some(sizing),
             // Some figures need no sizing.

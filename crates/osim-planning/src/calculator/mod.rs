@@ -16,7 +16,7 @@ use osim_requests::options::WantedOptions;
 use osim_requests::{ConstantIndentation, DesignRequest, Positive, RequestFault, RestitutionCoefficient};
 use serde::Serialize;
 
-use inputs::{AtRest, DesignInputs, ModulusSource, solve_at_rest};
+use inputs::{AtRest, DesignInputs, ModulusSource, solve_at_rest, speed_smoothing};
 pub(crate) use inputs::{STANDARD_GRAVITY_M_S2, domain_fault};
 
 /// All figures that follow from the known ones. Serialised it is the JSON contract of `design` without a model; `docs/reference/json.md`
@@ -123,6 +123,16 @@ osim_inspect::quantities! {
         CompositeModulus = Quantity::COMPOSITE_MODULUS.by_equation("11");
         /// Plane strain modulus E₁* of one of two equal surfaces: the number for OpenSim.
         Stiffness = Quantity::property(Property::Stiffness).by_equation("A.4");
+        /// Plane strain modulus E₁* of the first of two different surfaces.
+        FirstModulus = Quantity::new("first_modulus_n_m2", "modulus of the first surface", "N/m2").by_equation("A.1");
+        /// Plane strain modulus E₂* of the other surface.
+        OtherModulus = Quantity::new("other_modulus_n_m2", "modulus of the other surface", "N/m2").by_equation("A.1");
+        /// Composite modulus of the two surfaces in OpenSim; the composite modulus above is by Johnson's rule (A.2).
+        CompositeModulusOpenSim
+            = Quantity::new("composite_modulus_opensim_n_m2", "composite modulus in OpenSim", "N/m2").by_equation("A.3");
+        /// Composite modulus in OpenSim over that by Johnson's rule.
+        OpenSimOverJohnson
+            = Quantity::new("opensim_over_johnson", "  over the one by Johnson", "").by_equation("A.2, A.3");
         /// Stiffness k of one sphere under the load.
         ContactStiffness = Quantity::CONTACT_STIFFNESS;
         /// k̂ = k R n / F under the load.
@@ -178,7 +188,7 @@ pub fn design_sheet(request: &DesignRequest) -> Result<DesignSheet, RequestFault
     let load = inputs.shared_load().map_err(domain_fault)?;
     let given_quantities = inputs.known_quantities(load.as_ref());
     let mut sheet = DesignSheet::new();
-    let (sizing, at_rest) = solve_at_rest(&given_quantities, &inputs, &request.wanted)?;
+    let (sizing, at_rest) = solve_at_rest(&given_quantities, &inputs, request)?;
     match &sizing {
         Some(sizing) => add_sizing(&mut sheet, sizing, &given_quantities, &inputs, load.as_ref(), at_rest)?,
         None if inputs.needs_sizing() => return Err(inputs.missing_inputs()),
@@ -191,7 +201,7 @@ pub fn design_sheet(request: &DesignRequest) -> Result<DesignSheet, RequestFault
     let radius = sizing.map(|sizing| sizing.radius_m).or(inputs.radius_m);
     let composite = sizing.map(|sizing| sizing.composite_modulus_n_m2).or(inputs.composite_modulus);
     add_dissipation(&mut sheet, &request.wanted, radius, inputs.gravity_m_s2)?;
-    add_smoothing(&mut sheet, &request.wanted, radius, composite, at_rest)?;
+    add_smoothing(&mut sheet, request, radius, composite, at_rest)?;
     if sheet.figures.is_empty() {
         return Err(inputs.missing_inputs());
     }
@@ -235,6 +245,16 @@ fn add_moduli(
     let surface =
         modulus::of_equal_surfaces(composite, modulus::MixingRule::Sherman).map_err(domain_fault)?;
     sheet.add(DesignQuantity::Stiffness, surface, from == ModulusSource::Stiffness);
+    if let ModulusSource::TwoSurfaces([own, other]) = from {
+        let opensim = modulus::composite_sherman(own, other).map_err(domain_fault)?;
+        sheet.add(DesignQuantity::FirstModulus, own, false);
+        sheet.add(DesignQuantity::OtherModulus, other, false);
+        sheet.add(DesignQuantity::CompositeModulusOpenSim, opensim, false);
+        sheet.add(DesignQuantity::OpenSimOverJohnson, opensim / composite, false);
+        let text = "one 'stiffness' for both surfaces is 2^(3/2) E*, by whichever rule E* is; two ContactParameters take the moduli of their \
+                    surfaces as they are, and OpenSim combines them by (A.3)";
+        sheet.remarks.push(text.to_owned());
+    }
     Ok(())
 }
 
@@ -328,7 +348,7 @@ fn add_dissipation(
 
 fn add_smoothing(
     sheet: &mut DesignSheet,
-    wanted: &WantedOptions,
+    request: &DesignRequest,
     radius: Option<f64>,
     composite: Option<f64>,
     at_rest: Option<AtRest>,
@@ -339,6 +359,7 @@ fn add_smoothing(
             RequestFault::refused(input, message)
         })
     };
+    let wanted = &request.wanted;
     let t = wanted.threshold.get();
     let mut cf = None;
     let mut bd = None;
@@ -353,9 +374,16 @@ fn add_smoothing(
         let value = smoothing::hertz_smoothing_for_width(t, width, radius).map_err(domain_fault)?;
         sheet.add(DesignQuantity::HertzSmoothing, value, false);
         bd = Some(value);
+    } else if let Some(reduced) = request.state_smoothing {
+        let radius = need(Input::StateSmoothing)?;
+        let value = smoothing::hertz_smoothing(reduced.get(), radius).map_err(domain_fault)?;
+        sheet.add_by("C.5", DesignQuantity::HertzSmoothing, value, false);
+        bd = Some(value);
     }
-    if let Some(width) = wanted.speed_width.map(Positive::get) {
-        let value = smoothing::hunt_crossley_smoothing_for_speed_width(t, width).map_err(domain_fault)?;
+    if request.speed_smoothing.is_some() {
+        need(Input::SpeedSmoothing)?;
+    }
+    if let Some(value) = speed_smoothing(request, radius)? {
         sheet.add(DesignQuantity::HuntCrossleySmoothing, value, false);
     }
     if let (Some(constant_contact_force), Some(hertz_smoothing), Some(radius), Some(composite)) =

@@ -137,6 +137,12 @@ impl Variant {
         self.figure(Figure::RestitutionExact)
     }
 
+    /// The largest √cf/R of the spheres; 0 without smoothing.
+    pub(super) fn largest_constant_indentation(&self) -> f64 {
+        let spheres = self.figures.iter().flat_map(Figures::spheres);
+        spheres.filter_map(|sphere| sphere.value(Figure::ConstantIndentation)).fold(0.0, f64::max)
+    }
+
     fn figure(&self, figure: Figure) -> Option<f64> {
         let figures = self.figures.as_ref()?;
         let all: Option<Vec<f64>> = figures.spheres().map(|sphere| sphere.value(figure)).collect();

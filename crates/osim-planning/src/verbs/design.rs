@@ -1,7 +1,7 @@
 //! The verb `design`: computes parameters of contacts from the wanted properties.
 
 use contact_scaling::SharedLoad;
-use osim_inspect::{ContactsOrigin, LoadSharing, Stance, weight_share_on_floor};
+use osim_inspect::{ContactsOrigin, LoadSharing, Stance, ways_within_hertz, weight_share_on_floor};
 use osim_model::messages::{Input, Verb, phrase};
 use osim_model::{
     CountedSpheres, Fault, GravityFor, Mass, MassRequest, MissingFact, Model, RadiusRule, Selected, Selection,
@@ -19,6 +19,8 @@ use crate::remarks::remark_on_noted_limbs;
 pub(super) struct DesignPlanner {
     wanted: WantedOptions,
     stress_n_m2: Option<f64>,
+    state_smoothing: Option<f64>,
+    speed_smoothing: Option<f64>,
     load: LoadOptions,
     counts: CountOptions,
     selection: Selection,
@@ -45,6 +47,8 @@ pub(super) fn planner(request: DesignRequest) -> Result<DesignPlanner, RequestFa
     refuse_useless_options(&request)?;
     Ok(DesignPlanner {
         stress_n_m2: request.stress.map(Positive::get),
+        state_smoothing: request.state_smoothing.map(Positive::get),
+        speed_smoothing: request.speed_smoothing.map(Positive::get),
         selection: request.choice.selection(),
         masses: request.masses.request(),
         wanted: request.wanted,
@@ -83,6 +87,11 @@ fn refuse_useless_options(request: &DesignRequest) -> Result<(), RequestFault> {
         let why = phrase![Input::Stiffness, " is known, not designed: write it with ", call];
         return refused(Input::Stiffness, why);
     }
+    if request.other_young.is_some() {
+        let call = Verb::Set.call_with_model().with_placeholder(Input::Stiffness, "VALUE");
+        let why = phrase!["{} is for a design without a model: write its result with "; Input::OtherYoung];
+        return refused(Input::OtherYoung, phrase![&why, call]);
+    }
     if wants_depth && wanted.young.is_some() {
         let depth = if request.stress.is_some() { Input::Stress } else { Input::Indentation };
         let why = phrase!["{} and {} both say what the stiffness is: leave one out"; depth, Input::Young];
@@ -95,7 +104,8 @@ fn refuse_useless_options(request: &DesignRequest) -> Result<(), RequestFault> {
         ];
         return refused(Input::ContactStiffness, why);
     }
-    if !wanted.has_design() && request.stress.is_none() {
+    let smoothing = request.state_smoothing.or(request.speed_smoothing);
+    if !wanted.has_design() && request.stress.or(smoothing).is_none() {
         return Err(RequestFault::general(phrase![
             "nothing is asked for: give for example {}, {} or {}";
             Input::Indentation.with_placeholder("X"), Input::Restitution.with_placeholder("CR"),
@@ -172,6 +182,8 @@ impl DesignPlanner {
             constant_indentation: options.constant_indentation.map(ConstantIndentation::get),
             state_width: width(options.state_width),
             speed_width: width(options.speed_width),
+            state_smoothing: self.state_smoothing,
+            speed_smoothing: self.speed_smoothing,
             radius: options.radius().unwrap_or(RadiusRule::Keep),
             contact_stiffness_n_m: options.contact_stiffness.map(Positive::get),
             contacts_mass: self.contacts_mass(model, selected),
@@ -180,6 +192,8 @@ impl DesignPlanner {
         };
         let mut plan = design(model, selected, &wanted)?;
         plan.remarks.extend(wanted.load.and(remark_on_noted_limbs(&self.counts, model)));
+        let ways = options.indentation.and_then(|x| ways_within_hertz(x.get()));
+        plan.remarks.extend(ways.map(|ways| phrase!["Hertz' law is not accurate at this x/R: ", ways]));
         Ok(plan)
     }
 }

@@ -79,6 +79,23 @@ fn no_advice_about_a_model_names_a_command_that_changes_it() {
     }
 }
 
+#[test]
+fn where_the_forms_of_14_part_the_check_of_a_scaled_model_has_both() {
+    // The horse of Table 1, 545 kg on 15 mm, from the human of 62 kg on 32 mm with 2 s/m: 2.921 and 1.392 s/m (mpmath).
+    let request = json!({"verb": "check", "models": ["table1/horse_smooth_sphere.osim"],
+        "from": "table1/human_62kg_smooth_sphere.osim"});
+    let Ok(Request::Check(request)) = Request::from_json(request.to_string().as_bytes()) else { panic!() };
+    let files = fixtures();
+    let inspector = Inspector::for_check(&request, &files);
+    let opened = open_with(&request.models[0], CompanionPaths::default(), &files).unwrap();
+    let result = inspector.check(&opened.model, &inspector.inspect(&opened).unwrap(), None, &files);
+    let found = result.findings.iter().find(|found| found.code() == FindingCode::DissipationForms);
+    let message = found.unwrap().message.to_string();
+    for part in ["2.921 s/m by radius", "1.392 s/m by mass", "this model has 2.921"] {
+        assert!(message.contains(part), "{message}");
+    }
+}
+
 /// All models and meshes in `fixtures/`, by their paths in this folder.
 pub fn fixtures() -> InMemory {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures");

@@ -171,6 +171,7 @@ pub(super) fn entry_of(field: Field<'_>, verb: Verb) -> Option<Entry> {
         Samples = value("N").rare(), "Points of the series";
         Compare = read("OTHER"), "Say how far this drop and that of OTHER (a model or preset) lie apart in dimensionless form";
         CompareSpheres = value("N").rare(), "With `compare`: the spheres that share OTHER's weight [default: as found on one limb]";
+        FootMass = value("KG").rare(), "Let a foot of this mass fall in the place of the body, kg: it is the foot that strikes the ground";
         PlatesDelay = value("S").signed().under_if(is(&[Fit]), RECORDING_GROUP).rare(),
             "The plates are late by this time, s: what they measured counts so much earlier";
         LowPass = value("HZ").under_if(is(&[Fit]), RECORDING_GROUP),
@@ -315,6 +316,8 @@ pub(super) fn entry_of(field: Field<'_>, verb: Verb) -> Option<Entry> {
         Stress = value("N/M2"), "Mean stress on the contact patch under the load, N/m2: x/R is F/(n pi R^2 stress) (15)";
         Young = value("E").under_if(is(&[Add]), NUMBERS_GROUP).rare(), "Young's modulus, N/m2 (A.1, A.5)";
         Poisson = value("NU").signed().under_if(is(&[Add]), NUMBERS_GROUP).rare(), "Poisson's ratio";
+        OtherYoung = value("E").rare(), "With `young`: Young's modulus of the other surface, N/m2 [default: rigid]";
+        OtherPoisson = value("NU").signed().rare(), "Poisson's ratio of the other surface";
         Restitution = value("CR").under_if(is(&[Add]), NUMBERS_GROUP), "Coefficient of restitution, 0 to 1 (13)";
         ImpactSpeed = value("M/S").under_if(is(&[Add]), NUMBERS_GROUP).under_if(is(&[Inspect, Check]), FIGURES_GROUP).rare_if(!is(&[Design, Sweep])),
             "Impact speed, m/s [default: sqrt(gR/2), a fall from a quarter of the radius]",
@@ -325,6 +328,9 @@ pub(super) fn entry_of(field: Field<'_>, verb: Verb) -> Option<Entry> {
             "Width of the contact transition over radius, for hertz_smoothing (C.8)";
         SpeedWidth = value("M/S").under_if(is(&[Add]), NUMBERS_GROUP).rare(),
             "Width of the transition in speed, m/s, for hunt_crossley_smoothing (C.10)";
+        StateSmoothing = value("B").rare(), "Hertz smoothing times radius, without unit, for hertz_smoothing (C.5)";
+        SpeedSmoothing = value("B").rare(),
+            "Hunt-Crossley smoothing times the root of the radius, s/m^(1/2), for hunt_crossley_smoothing (C.10)";
         Threshold = value("T").under_if(is(&[Add]), NUMBERS_GROUP).rare(), "Threshold t that the widths refer to: from t to 1 - t";
         ContactStiffness = value("N/M").rare(), "Stiffness of one sphere at that load, N/m (11 with B.2)";
         Stiffness = value(if is(&[Plot]) { "GRID" } else { "E1" }).under_if(is(&[DropTest]), CONTACT_GROUP).under_if(is(&[Plot]), SWEEP_GROUP)

@@ -98,6 +98,7 @@ fields! {
         samples: Samples,
         compare: Option<PathBuf> as "path::Optional",
         compare_spheres: Option<Count>,
+        foot_mass: Option<Kilograms>,
         presets: Option<PathBuf> as "path::Optional",
         format: SeriesFormat,
         numbers: ..ContactNumbers,

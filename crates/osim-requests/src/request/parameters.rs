@@ -12,7 +12,7 @@ use crate::options::{
 };
 use crate::request::inspect::AngleChoice;
 use crate::values::serial::{choices, fields};
-use crate::values::{ContactOnset, Count, Positive, RelativeIndentation, Signed, path};
+use crate::values::{ContactOnset, Count, PoissonRatio, Positive, RelativeIndentation, Signed, path};
 
 fields! {
     /// Finds parameters from what is wanted: indentation, stiffness, restitution.
@@ -21,6 +21,10 @@ fields! {
         wanted: ..WantedOptions,
         dimensionless_stiffness: Option<Positive>,
         stress: Option<Positive>,
+        other_young: Option<Positive>,
+        other_poisson: Option<PoissonRatio>,
+        state_smoothing: Option<Positive>,
+        speed_smoothing: Option<Positive>,
         load: ..LoadOptions,
         masses: ..MassOptions,
         counts: ..CountOptions,
@@ -31,7 +35,9 @@ fields! {
         set_files: ..SetFiles,
     } where
         Excludes("dimensionless_stiffness", "indentation"), Excludes("stress", "indentation"),
-        Excludes("stress", "dimensionless_stiffness");
+        Excludes("stress", "dimensionless_stiffness"), Needs("other_young", "other_poisson"),
+        Needs("other_poisson", "other_young"), Needs("other_young", "young"),
+        Excludes("state_smoothing", "state_width"), Excludes("speed_smoothing", "speed_width");
 
     /// Finds contact parameters from a measured indentation and force, or those of a model from recordings of its gait.
     struct FitRequest {

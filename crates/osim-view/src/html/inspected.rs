@@ -75,7 +75,7 @@ pub(super) fn add_inspection_sections(
     if let Some(list) = compared.or(asked) {
         reference::size_section(fragment, list);
     }
-    let body = html! { (table_of_forces(inspected)) (table_of_spheres(inspected)) (sentences_on_standing(inspected)) (table_of_factors(inspected)) };
+    let body = html! { (table_of_forces(inspected)) (table_of_spheres(inspected)) (sentences_on_standing(inspected)) (beside_real_feet(inspected)) (table_of_factors(inspected)) };
     fragment.add_section("contacts", "Forces and spheres of the model", &body);
     fragment.add_section("model", "The model and its files", &facts_of_model(inspected, files));
     drawn
@@ -113,6 +113,11 @@ fn sentences_on_standing(inspected: &Inspection) -> Markup {
         }
         @if let Some(why) = &inspected.why_no_standing { p.aside { "Its height over the floor is not known: " (why) "." } }
     }
+}
+
+fn beside_real_feet(inspected: &Inspection) -> Markup {
+    let sentences = inspected.beside_real_feet();
+    html! { @if !sentences.is_empty() { p { "Beside measured feet: " (sentences.join("; ")) "." } } }
 }
 
 fn table_of_spheres(inspected: &Inspection) -> Markup {

@@ -53,6 +53,7 @@ pub fn text(found: &CheckResult, words: &dyn FrontEnd, layout: Layout) -> String
     };
     if is_full {
         text.push_str(&explanations(found, layout));
+        text.push_str(&beside_real_feet(&found.beside_real_feet, layout));
     } else if let Some(open) = found.findings.iter().find(is_open) {
         let what = match open.code() {
             // Only a mass is missing.
@@ -66,6 +67,12 @@ pub fn text(found: &CheckResult, words: &dyn FrontEnd, layout: Layout) -> String
         text.push_str(&similarity::text(list, layout));
     }
     text
+}
+
+/// Sentences about contacts beside measured feet, under a heading; empty if there are none.
+pub(super) fn beside_real_feet(sentences: &[String], layout: Layout) -> String {
+    let lines: String = sentences.iter().map(|text| layout.wrapped(&format!("  {text}"), "    ")).collect();
+    if lines.is_empty() { lines } else { format!("\nBeside measured feet:\n{lines}") }
 }
 
 /// A question whose answer is not good, or a finding that answers no question.

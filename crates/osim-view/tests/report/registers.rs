@@ -39,7 +39,8 @@ fn drop_result(others: &Value) -> DropResult {
 /// A design sheet with every figure that a design can have.
 fn full_design_sheet() -> DesignSheet {
     let request = json!({
-        "verb": "design", "mass": 62, "spheres": 6, "radius": 0.032, "indentation": 0.16, "restitution": 0.9,
+        "verb": "design", "mass": 62, "spheres": 6, "radius": 0.032, "young": 2e6, "poisson": 0.5,
+        "other_young": 2e6, "other_poisson": 0.5, "restitution": 0.9,
         "constant_indentation": 0.1, "state_width": 0.3, "speed_width": 0.3,
     });
     let Ok(Request::Design(request)) = Request::from_json(request.to_string().as_bytes()) else { panic!() };

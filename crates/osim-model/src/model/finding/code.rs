@@ -126,6 +126,7 @@ codes! {
     BareModel = "bare-model",
     UnmatchedPattern = "unmatched-pattern",
     MassAgainstLength = "mass-against-length",
+    DissipationForms = "dissipation-forms",
     UnlikeRecording = "unlike-recording",
     LargeCorrection = "large-correction",
     OddGravity = "odd-gravity",

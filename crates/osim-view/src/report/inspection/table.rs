@@ -6,6 +6,7 @@ use osim_inspect::{BodyAtRest, InspectedForce, InspectedSphere, Inspection, Stan
 use osim_model::Property;
 use osim_model::messages::{Dialect, Phrase, four_significant, one_line, readable, shown, three_significant};
 
+use crate::report::check::beside_real_feet;
 use crate::report::extent::{Extent, Layout};
 use crate::report::inspection::spheres;
 use crate::report::layout::{colour_marks, table};
@@ -29,6 +30,9 @@ pub fn text(inspected: &Inspection, dialect: &dyn Dialect, layout: Layout) -> St
         text.push_str(if figures.is_empty() { "" } else { "\n" });
         text.push_str(&colour_marks(&figures, layout.colour));
         text.push_str(&sentences_on_standing(inspected, layout));
+        if layout.extent.is_full() {
+            text.push_str(&beside_real_feet(&inspected.beside_real_feet(), layout));
+        }
     }
     if inspected.body_factors.is_some() {
         text.push('\n');

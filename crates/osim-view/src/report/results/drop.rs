@@ -33,6 +33,9 @@ pub fn drop_text(drop: &DropResult, columns: Option<usize>) -> String {
         four_significant(values.height_m),
         four_significant(values.duration_s)
     );
+    if drop.is_of_foot {
+        text.push_str("the foot alone falls: body weight below is its weight\n\n");
+    }
     text.push_str(&rows(drop, columns));
     text.push_str(&limits_in_words(drop));
     if drop.report.first_contact.is_none() {

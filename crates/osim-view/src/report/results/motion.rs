@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use osim_model::messages::{Dialect, readable, shortest, shown};
+use osim_model::messages::{Dialect, four_significant, readable, shortest, shown};
 use osim_model::{DVec3, Side};
 use osim_motion::correct::Correction;
 use osim_motion::{
@@ -51,7 +51,36 @@ pub fn motion_text(
     text.push_str(&feet(result, columns));
     text.push('\n');
     text.push_str(&spheres(result, columns));
+    text.push('\n');
+    for sentence in [stress_in_words(result), loss_in_words(result)].into_iter().flatten() {
+        text.push_str(&wrapped(&sentence, "", columns.unwrap_or(WIDTH)));
+    }
     text
+}
+
+/// The largest stress under a sphere, in words.
+fn stress_in_words(result: &MotionResult) -> Option<String> {
+    let spheres = result.summary.feet.iter().flat_map(|foot| &foot.spheres);
+    let stresses = spheres.filter_map(|sphere| Some((sphere, sphere.largest_stress_n_m2?)));
+    let (sphere, (mean, time_s)) = stresses.max_by(|a, b| a.1.0.total_cmp(&b.1.0))?;
+    let name = result.opened.model.sphere(result.states.pairs.get(sphere.pair)?.sphere)?.name.as_str();
+    Some(format!(
+        "largest mean stress on a contact patch (15): {} kPa ({}, {time_s:.3} s); at its middle, by Hertz, {}",
+        four_significant(mean / 1e3),
+        shown(name),
+        four_significant(1.5 * mean / 1e3)
+    ))
+}
+
+/// The energy that the contacts of each foot take up in a stride, in words.
+fn loss_in_words(result: &MotionResult) -> Option<String> {
+    let feet = result.summary.feet.iter();
+    let lost = feet.filter_map(|foot| {
+        Some(format!("{} {} J", shown(&foot.foot.name), four_significant(foot.lost_in_stride_j?)))
+    });
+    let lost: Vec<String> = lost.collect();
+    (!lost.is_empty())
+        .then(|| format!("energy lost by contacts and friction in a stride: {}", lost.join(", ")))
 }
 
 fn feet(result: &MotionResult, columns: Option<usize>) -> String {

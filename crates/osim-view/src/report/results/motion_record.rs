@@ -122,6 +122,8 @@ records! {
         stance_depth_m: Option<f64> = foot.stance_depth_m,
         /// Range from the 5th to the 95th percentile of the depth of the foot's deepest sphere in stance, m.
         stance_scatter_m: Option<f64> = foot.stance_scatter_m,
+        /// The energy that its contacts take up in a stride, J: the mean over whole strides.
+        lost_in_stride_j: Option<f64> = foot.lost_in_stride_j,
         /// The depth of its deepest sphere in the whole recording, m.
         deepest_m: f64 = foot.deepest_m,
         /// The median velocity of its deepest sphere along the floor in stance, m/s.
@@ -164,6 +166,10 @@ records! {
         largest_relative_indentation: f64 = sphere.largest_relative_indentation,
         /// Time of the largest x/R, s.
         largest_at_s: f64 = sphere.largest_at_s,
+        /// The largest mean stress on its contact patch, N/m²; smoothed forces count where x exceeds √cf.
+        mean_stress_n_m2: Option<f64> = sphere.largest_stress_n_m2.map(|(mean, _)| mean),
+        /// The stress at the middle of the patch then, by Hertz: 1.5 times the mean, N/m².
+        peak_stress_n_m2: Option<f64> = sphere.largest_stress_n_m2.map(|(mean, _)| 1.5 * mean),
         /// Time for which x/R is beyond what the Hertz law holds for, s.
         beyond_hertz_s: f64 = sphere.beyond_hertz_s,
         /// Time for which the sphere's centre is below the plane, s.
