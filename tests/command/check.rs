@@ -165,8 +165,8 @@ const CASES_OF_SEVERAL_FILES: &[Case] = &[
     Case {
         code: "dissipation-forms",
         fixtures: &[
-            ("table1/human_62kg_smooth_sphere.osim", "original.osim"),
-            ("table1/horse_smooth_sphere.osim", "model.osim"),
+            ("check/known_contacts.osim", "original.osim"),
+            ("check/mass_against_length.osim", "model.osim"),
         ],
         before: "",
         check: "model.osim --from original.osim",
