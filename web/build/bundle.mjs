@@ -11,7 +11,7 @@ const COMMON = {
   write: false,
   format: "iife",
   minify: true,
-  charset: "utf8",
+  charset: "ascii",
   legalComments: "none",
   // The oldest browsers that the page says it needs.
   target: ["chrome97", "firefox102", "safari16"],
@@ -34,6 +34,7 @@ export async function bundlePage() {
   return text(await build({ ...COMMON, entryPoints: [join(WEB, "src/main.ts")] }));
 }
 
+/** The script in ASCII, which browsers read several times as fast as other text; esbuild leaves other letters in regular expressions. */
 function text(result) {
-  return result.outputFiles[0].text;
+  return result.outputFiles[0].text.replace(/[^\0-\x7f]/g, (unit) => `\\u${unit.charCodeAt(0).toString(16).padStart(4, "0")}`);
 }

@@ -32,7 +32,7 @@ export async function assemble({ script, worker, wasm, licences }) {
   ];
   // Inside an element, this would end it.
   if (/<\/(script|style)/i.test(script + style)) throw new Error("the script or a style holds an end tag");
-  const html = filled(readFileSync(join(WEB, "page/page.html"), "utf8"), {
+  const html = inAscii(filled(readFileSync(join(WEB, "page/page.html"), "utf8"), {
     policy: policyElement({ scripts: [guard, script], styles: [style] }),
     guard: `<script>${guard}</script>`,
     style: `<style>${style}</style>`,
@@ -41,7 +41,7 @@ export async function assemble({ script, worker, wasm, licences }) {
     script: `<script>${script}</script>`,
     version: version(),
     ...cited(paper()),
-  });
+  }));
   const sizes = [...first, ...blocks].map(([name, text]) => [`${name}, compressed`, text.length]);
   return { html, sizes: [...sizes, ["script", script.length], ["style", style.length]] };
 }
@@ -52,7 +52,7 @@ function joined(blocks) {
 
 async function styles() {
   const parts = STYLES.map((name) => readFileSync(join(ROOT, name), "utf8"));
-  const { code } = await transform(parts.join("\n"), { loader: "css", minify: true, charset: "utf8" });
+  const { code } = await transform(parts.join("\n"), { loader: "css", minify: true, charset: "ascii" });
   return code.trim();
 }
 
@@ -62,6 +62,11 @@ function cited(paper) {
 
 function escaped(text) {
   return text.replace(/[&<>"]/g, (sign) => `&#${sign.charCodeAt(0)};`);
+}
+
+/** Markup with all other letters as references; script and style have none. */
+function inAscii(html) {
+  return html.replace(/[^\0-\x7f]/gu, (letter) => `&#${letter.codePointAt(0)};`);
 }
 
 /** `{{name}}` is replaced by its value; a name without a value is an error. */

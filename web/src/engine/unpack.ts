@@ -19,39 +19,34 @@ export function unpackedText(id: string): string {
 
 /** Letters of a group, bytes of a group, and the number of different letters. */
 const [GROUP, BYTES, BASE] = [11, 9, 94];
-/** Numbers are computed in parts of 24 bits: 94^6 has a part above and a part below. */
-const PART_SIZE = 2 ** 24;
-const [FACTOR_ABOVE, FACTOR_BELOW] = [Math.floor(BASE ** 6 / PART_SIZE), BASE ** 6 % PART_SIZE];
 
+/** The bytes of letters. A group is a number of 72 bits, computed in three parts of 24 bits. */
 function decode(text: string): Uint8Array {
-  const bytes = new Uint8Array(Math.floor((text.length * BYTES) / GROUP));
-  let at = 0;
-  for (let start = 0; start < text.length; start += GROUP) {
-    for (const part of partsOfGroup(numberOfDigits(text, start, 5), numberOfDigits(text, start + 5, 6))) {
-      for (let shift = 16; shift >= 0 && at < bytes.length; shift -= 8) bytes[at++] = (part >>> shift) & 255;
+  const letters = new TextEncoder().encode(text);
+  const bytes = new Uint8Array(Math.floor((letters.length * BYTES) / GROUP));
+  for (let start = 0, at = 0; start < letters.length; start += GROUP, at += BYTES) {
+    let first = 0;
+    let middle = 0;
+    let last = 0;
+    for (let place = start; place < start + GROUP; place += 1) {
+      // After the end the largest digit, so that a shortened last group is decoded correctly.
+      const code = letters[place] ?? 126;
+      last = last * BASE + code - (code > 60 ? 33 : 32);
+      middle = middle * BASE + (last >>> 24);
+      first = first * BASE + (middle >>> 24);
+      last &= 0xffffff;
+      middle &= 0xffffff;
     }
+    setPart(bytes, at, first);
+    setPart(bytes, at + 3, middle);
+    setPart(bytes, at + 6, last);
   }
   return bytes;
 }
 
-/** `high` times 94^6 plus `low`, in three parts of 24 bits, because a number cannot hold 72 bits. */
-function partsOfGroup(high: number, low: number): [number, number, number] {
-  const last = (high % PART_SIZE) * FACTOR_BELOW + (low % PART_SIZE);
-  const middle = Math.floor(high / PART_SIZE) * FACTOR_BELOW + (high % PART_SIZE) * FACTOR_ABOVE + Math.floor(low / PART_SIZE) + Math.floor(last / PART_SIZE);
-  const first = Math.floor(high / PART_SIZE) * FACTOR_ABOVE + Math.floor(middle / PART_SIZE);
-  return [first, middle % PART_SIZE, last % PART_SIZE];
-}
-
-/** The number that is written by `count` letters from `start` on. */
-function numberOfDigits(text: string, start: number, count: number): number {
-  let value = 0;
-  for (let place = start; place < start + count; place += 1) value = value * BASE + digitAt(text, place);
-  return value;
-}
-
-/** The digit at a place; after the end the largest digit, so that a shortened last group is decoded correctly. */
-function digitAt(text: string, place: number): number {
-  if (place >= text.length) return BASE - 1;
-  const code = text.charCodeAt(place);
-  return code > 60 ? code - 33 : code - 32;
+/** Writes 24 bits; places after the end are left out. */
+function setPart(bytes: Uint8Array, at: number, part: number): void {
+  bytes[at] = part >>> 16;
+  bytes[at + 1] = part >>> 8;
+  bytes[at + 2] = part;
 }
