@@ -28,6 +28,7 @@ export function placeSection({ prefix, id, folded = false, title }: Options): Se
   const element = folded
     ? el("details", { id: `${prefix}-${id}`, class: `section of-${id}`, hidden: true }, el("summary", {}, heading), body)
     : el("div", { id: `${prefix}-${id}`, class: `section of-${id}`, hidden: true }, heading, body);
+  const scrolled = watchScrolling(body);
   let shownHtml: string | undefined;
   const show = (section: Section | undefined) => {
     element.hidden = section === undefined || section.html === "";
@@ -36,7 +37,7 @@ export function placeSection({ prefix, id, folded = false, title }: Options): Se
     setText(heading, title ?? section.title);
     const content = parseHtml(section.html);
     for (const cell of content.querySelectorAll("td")) shortenCell(cell);
-    replaceContent(body, content);
+    replaceContent(body, content, scrolled);
   };
   return { element, show };
 }
@@ -53,13 +54,22 @@ function shortenCell(cell: HTMLElement): void {
   place.textContent = short;
 }
 
+/** How far each box in `body` is scrolled, by its index. To ask the boxes at each step of a slider would lay out the page once more. */
+function watchScrolling(body: HTMLElement): ReadonlyMap<number, number> {
+  const scrolled = new Map<number, number>();
+  const remember = ({ target }: Event) => target instanceof Element && scrolled.set(boxesIn(body).indexOf(target), target.scrollLeft);
+  body.addEventListener("scroll", remember, { capture: true, passive: true });
+  return scrolled;
+}
+
+function boxesIn(body: HTMLElement): Element[] {
+  return [...body.querySelectorAll(".wide, .plot.feet")];
+}
+
 /** Replaces the content of `body`, and restores scroll positions and the focus. */
-function replaceContent(body: HTMLElement, content: DocumentFragment): void {
-  const scrolled = [...body.querySelectorAll(".wide, .plot.feet")].map(({ scrollLeft }) => scrollLeft);
+function replaceContent(body: HTMLElement, content: DocumentFragment, scrolled: ReadonlyMap<number, number>): void {
   const focused = [...body.querySelectorAll("a, [tabindex]")].indexOf(document.activeElement ?? body);
   body.replaceChildren(content);
-  if (scrolled.some((left) => left > 0)) {
-    for (const [index, box] of [...body.querySelectorAll(".wide, .plot.feet")].entries()) box.scrollLeft = scrolled[index] ?? 0;
-  }
+  if (scrolled.size > 0) for (const [index, box] of boxesIn(body).entries()) box.scrollLeft = scrolled.get(index) ?? 0;
   if (focused >= 0) [...body.querySelectorAll<HTMLElement>("a, [tabindex]")][focused]?.focus({ preventScroll: true });
 }
