@@ -173,6 +173,24 @@ pub enum Class {
     Body,
 }
 
+/// The numeric properties of a smooth force; the first five are those of a parameter set, too.
+const SMOOTH_PARAMETERS: [Property; 9] = [
+    Property::Stiffness,
+    Property::Dissipation,
+    Property::StaticFriction,
+    Property::DynamicFriction,
+    Property::ViscousFriction,
+    Property::TransitionVelocity,
+    Property::ConstantContactForce,
+    Property::HertzSmoothing,
+    Property::HuntCrossleySmoothing,
+];
+
+/// A list of tags, which stand in one row.
+macro_rules! tags {
+    ($($tag:literal)*) => { &[$($tag),*] };
+}
+
 impl Class {
     pub const fn tag(self) -> &'static str {
         match self {
@@ -202,68 +220,31 @@ impl Class {
     /// The names of all child elements in the order in which OpenSim writes them. A missing element is inserted in this order.
     pub const fn element_order(self) -> &'static [&'static str] {
         match self {
-            Self::HuntCrossleyForce => &[
-                "isDisabled",
-                "appliesForce",
-                "HuntCrossleyForce::ContactParametersSet",
-                "transition_velocity",
+            Self::HuntCrossleyForce => tags![
+                "isDisabled" "appliesForce" "HuntCrossleyForce::ContactParametersSet" "transition_velocity"
             ],
-            Self::ContactParameters => &[
-                "geometry",
-                "stiffness",
-                "dissipation",
-                "static_friction",
-                "dynamic_friction",
-                "viscous_friction",
+            Self::ContactParameters => tags![
+                "geometry" "stiffness" "dissipation" "static_friction" "dynamic_friction"
+                "viscous_friction"
             ],
-            Self::SmoothSphereHalfSpaceForce => &[
-                "socket_sphere",
-                "socket_half_space",
-                "socket_sphere_frame",
-                "socket_half_space_frame",
-                "appliesForce",
-                "contact_sphere_radius",
-                "contact_sphere_location",
-                "contact_half_space_location",
-                "contact_half_space_orientation",
-                "stiffness",
-                "dissipation",
-                "static_friction",
-                "dynamic_friction",
-                "viscous_friction",
-                "transition_velocity",
-                "constant_contact_force",
-                "derivative_smoothing",
-                "hertz_smoothing",
-                "hunt_crossley_smoothing",
-                "force_visualization_radius",
-                "force_visualization_scale_factor",
+            Self::SmoothSphereHalfSpaceForce => tags![
+                "socket_sphere" "socket_half_space" "socket_sphere_frame" "socket_half_space_frame"
+                "appliesForce" "contact_sphere_radius" "contact_sphere_location"
+                "contact_half_space_location" "contact_half_space_orientation" "stiffness" "dissipation"
+                "static_friction" "dynamic_friction" "viscous_friction" "transition_velocity"
+                "constant_contact_force" "derivative_smoothing" "hertz_smoothing" "hunt_crossley_smoothing"
+                "force_visualization_radius" "force_visualization_scale_factor"
             ],
-            Self::ContactSphere => &[
-                "socket_frame",
-                "socket_frame_connectee_name",
-                "connector_frame_connectee_name",
-                "connectors",
-                "body_name",
-                "location",
-                "orientation",
-                "display_preference",
-                "color",
-                "Appearance",
-                "radius",
+            Self::ContactSphere => tags![
+                "socket_frame" "socket_frame_connectee_name" "connector_frame_connectee_name" "connectors"
+                "body_name" "location" "orientation" "display_preference" "color" "Appearance" "radius"
             ],
-            Self::ContactEllipsoid => &["socket_frame", "location", "orientation", "Appearance", "radii"],
-            Self::ContactHalfSpace => &[
-                "socket_frame",
-                "socket_frame_connectee_name",
-                "connector_frame_connectee_name",
-                "connectors",
-                "body_name",
-                "location",
-                "orientation",
-                "display_preference",
-                "color",
-                "Appearance",
+            Self::ContactEllipsoid => tags![
+                "socket_frame" "location" "orientation" "Appearance" "radii"
+            ],
+            Self::ContactHalfSpace => tags![
+                "socket_frame" "socket_frame_connectee_name" "connector_frame_connectee_name" "connectors"
+                "body_name" "location" "orientation" "display_preference" "color" "Appearance"
             ],
             Self::Body => &[],
         }
@@ -273,24 +254,8 @@ impl Class {
     pub const fn parameters(self) -> &'static [Property] {
         match self {
             Self::HuntCrossleyForce => &[Property::TransitionVelocity],
-            Self::ContactParameters => &[
-                Property::Stiffness,
-                Property::Dissipation,
-                Property::StaticFriction,
-                Property::DynamicFriction,
-                Property::ViscousFriction,
-            ],
-            Self::SmoothSphereHalfSpaceForce => &[
-                Property::Stiffness,
-                Property::Dissipation,
-                Property::StaticFriction,
-                Property::DynamicFriction,
-                Property::ViscousFriction,
-                Property::TransitionVelocity,
-                Property::ConstantContactForce,
-                Property::HertzSmoothing,
-                Property::HuntCrossleySmoothing,
-            ],
+            Self::ContactParameters => SMOOTH_PARAMETERS.split_at(5).0,
+            Self::SmoothSphereHalfSpaceForce => &SMOOTH_PARAMETERS,
             Self::ContactSphere | Self::ContactEllipsoid => &[Property::Radius],
             Self::ContactHalfSpace => &[],
             Self::Body => &[Property::Mass],
