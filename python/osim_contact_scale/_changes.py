@@ -15,7 +15,7 @@ from ._keywords import is_file_object, is_path, to_fields, to_path
 from ._kinds import kind_of
 from ._option_names import ChangingVerb
 from ._progress import progress_callback
-from ._rows import is_blank, models_csv, to_known_table, to_rows
+from ._rows import is_blank, models_csv, row_names, to_known_table, to_rows
 from ._survey import as_list
 from ._tables import all_columns, table
 from ._text import printable
@@ -90,7 +90,7 @@ def batch(models: Any, keep: Any, keywords: Mapping[str, Any], progress: Progres
         _refuse_nameless(rows, visible)
         records = _change_rows(to_fields("batch", keywords), models_csv(visible), len(rows), progress)
     except (RequestError, TypeError) as error:
-        raise explain_gaps(error, gaps, _row_names(source, len(rows))) from None
+        raise explain_gaps(error, gaps, row_names(source, len(rows))) from None
     places = _rows_of_records(records, rows)
     if places is None:
         return _text_table(records)
@@ -124,15 +124,6 @@ def _refuse_nameless(rows: Sequence[Mapping[str, Any]], visible: Sequence[Mappin
         lines = [f"table: row {number}, column 'model': empty, expected the model's file name" for number in wrong]
         count_phrase = "1 row is" if len(wrong) == 1 else f"{len(wrong)} rows are"
         raise RequestError("usage", "\n".join([f"{count_phrase} wrong, so nothing was written:", *lines]))
-
-
-def _row_names(source: Any, count: int) -> list[str]:
-    """The rows of a table as messages name them: by the label of a DataFrame's index, and by their position from 0."""
-    names = [f"row {position}" for position in range(count)]
-    index = getattr(source, "index", None) if kind_of(source) is not None else None
-    if index is None or list(index) == list(range(count)):
-        return names
-    return [f"{printable(str(label))} ({name})" for label, name in zip(index, names)]
 
 
 def _rows_of_records(records: Sequence[Mapping[str, Any]], rows: Sequence[Any]) -> list[int] | None:

@@ -13,7 +13,9 @@ from typing import Any
 from ._cells import is_control_character, to_cell
 from ._errors import RequestError
 from ._keywords import expand_home
+from ._kinds import kind_of
 from ._option_names import PATHS, ROW_OPTIONS
+from ._text import printable
 
 
 def to_rows(data: Any) -> list[dict[str, Any]]:
@@ -50,6 +52,15 @@ def to_rows(data: Any) -> list[dict[str, Any]]:
     for row in rows:
         _refuse_same_names([str(name) for name in row])
     return [{str(key): value for key, value in row.items()} for row in rows]
+
+
+def row_names(source: Any, count: int) -> list[str]:
+    """The rows of a table as messages name them: by the label of a DataFrame's index, and by their position from 0."""
+    names = [f"row {position}" for position in range(count)]
+    index = getattr(source, "index", None) if kind_of(source) is not None else None
+    if index is None or list(index) == list(range(count)):
+        return names
+    return [f"{printable(str(label))} ({name})" for label, name in zip(index, names)]
 
 
 def to_known_table(data: Any) -> Any:

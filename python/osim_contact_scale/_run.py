@@ -5,16 +5,17 @@ from __future__ import annotations
 import json
 import logging
 import os
+import re
 from collections.abc import Mapping
 from typing import Any
 
 from . import _native, _survey, _sweep
 from ._answers import DesignSheet, DropTest, Explanation, Fit, Motion, Preset, Presets, Reproduction
-from ._errors import warn
+from ._errors import ModelError, warn
 from ._figure import Figure
 from ._keywords import Memory, to_fields, to_model, to_models, to_path, with_companions
 from ._result import Result, plan
-from ._rows import to_csv, to_rows, to_storage
+from ._rows import row_names, to_csv, to_rows, to_storage
 from .types import Progress, Source
 
 log = logging.getLogger("osim_contact_scale")
@@ -87,10 +88,27 @@ def fit(measured: Any, keywords: Mapping[str, Any]) -> Fit | Result:
     if isinstance(measured, (str, os.PathLike)):
         fields["file"] = to_model(measured, memory)
     else:
-        memory[_TABLE] = to_csv(to_rows(measured))
+        rows = to_rows(measured)
+        memory[_TABLE] = to_csv(rows)
         fields["file"] = _TABLE
-    record, text = _native.fit(fields, memory)
+    try:
+        record, text = _native.fit(fields, memory)
+    except ModelError as error:
+        if _TABLE not in memory:
+            raise
+        raise _with_row_names(error, row_names(measured, len(rows))) from None
     return Fit(record, text)
+
+
+def _with_row_names(error: ModelError, names: list[str]) -> ModelError:
+    """An error about a table without a file: it has rows, not lines, and in the table that Rust reads the first row is line 2."""
+
+    def named(match: re.Match[str]) -> str:
+        place = int(match[1]) - 2
+        return names[place] if 0 <= place < len(names) else match[0]
+
+    message = re.sub(r"\bline (\d+)", named, error.message.replace(f"{_TABLE}: ", "table: ", 1))
+    return ModelError(error.code, message, keywords=error.keywords)
 
 
 def _fields_of_recordings(field: str, recordings: Any, tables: dict[str, bytes]) -> list[Any]:

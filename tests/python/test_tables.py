@@ -279,3 +279,11 @@ def test_every_list_is_written_as_docs_batch_says(name):
 def test_every_path_has_a_home_folder(name):
     written = _rows.models_csv([{name: "~/a.osim"}]).decode().splitlines()
     assert written == [f'"{name.rstrip("_")}"', f'"{os.path.expanduser("~/a.osim")}"']
+
+
+def test_a_wrong_cell_of_a_measured_curve_has_its_row():
+    force = [0, 1, 3, 5, 8, "x"]
+    curve = pd.DataFrame({"indentation": [0, 1e-3, 2e-3, 3e-3, 4e-3, 5e-3], "force": force}, index=list("ABCDEF"))
+    with pytest.raises(ocs.ModelError) as failed:
+        ocs.fit(curve, radius=0.032)
+    assert str(failed.value) == "table: F (row 5), column 'force': 'x' is not a number"
