@@ -271,6 +271,12 @@ class Inspection(Survey):
             parts.append(html_table(sphere_columns, spheres, ".spheres has all"))
         return "".join([*parts, self._errors_html()])
 
+    def _summary(self) -> str:
+        spheres = sum(len(record["spheres"]) for record in self.records)
+        masses = [record["mass_kg"] for record in self.records if record["mass_kg"] is not None]
+        mass = f", {masses[0]:g} kg" if len(self.records) == len(masses) == 1 else ""
+        return f"{super()._summary()}: {spheres} spheres{mass}"
+
 
 def _notebook_row(record: Mapping[str, Any]) -> list[Any]:
     """The cells of a model in a notebook's table."""
