@@ -81,7 +81,9 @@ fn a_foot_falls_in_the_place_of_its_body() {
     assert_close(drop.peak_force_n, 226.375_182_496_525_68, 1e-6, "peak force");
     assert_close(drop.peak_force_bw, 5.918_934_456_603_706, 1e-6, "peak force over the foot's weight");
     assert_eq!(drop.mass_kg, 3.9);
-    dir.run("drop-test human.osim --foot-mass 3.9").succeeded().says(&["3.9 kg on 6 spheres", "the foot alone falls"]);
+    dir.run("drop-test human.osim --foot-mass 3.9")
+        .succeeded()
+        .says(&["3.9 kg on 6 spheres", "the foot alone falls"]);
 }
 
 fn table_1_animals(class: &str) -> TestDir {

@@ -398,7 +398,10 @@ fn the_reason_for_absent_figures_is_in_the_words_of_the_front_end() {
 fn contacts_stand_beside_measured_feet() {
     // mpmath: 3/(2 x/R) of the human of Table 1; the paper gives 3 to 13 times 4.24 for pads.
     let sentences = inspect_with(HUMAN, Stance::default()).beside_real_feet();
-    assert!(sentences[0].starts_with("k R n/F at one body weight is 4.246; 12.72 to 55.12 in"), "{sentences:?}");
+    assert!(
+        sentences[0].starts_with("k R n/F at one body weight is 4.246; 12.72 to 55.12 in"),
+        "{sentences:?}"
+    );
     // Where this fixture's heels are is not known.
     assert_eq!(sentences.len(), 1);
     let Some(corpus) = std::env::var_os("OSIM_CORPUS").map(std::path::PathBuf::from) else { return };

@@ -28,7 +28,6 @@ mod document;
 mod fault;
 pub mod files;
 mod finding;
-mod gravity;
 mod limbs;
 mod mass;
 mod names;

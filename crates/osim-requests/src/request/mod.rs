@@ -1,6 +1,5 @@
 //! A request type for each verb, with typed fields.
 
-mod add;
 mod any;
 mod change;
 mod inspect;
@@ -10,7 +9,6 @@ mod parameters;
 mod plot;
 mod verbs;
 
-pub use add::*;
 pub use any::NoteDetails;
 pub use change::*;
 pub use inspect::*;

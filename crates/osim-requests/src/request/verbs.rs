@@ -7,8 +7,9 @@ use osim_model::messages::{Input, Verb};
 use serde_json::{Map, Value};
 
 use crate::options::{AnswerOptions, OutputOptions, RunOptions};
-use crate::request::add::{AddRequest, TransferRequest};
-use crate::request::change::{ConvertRequest, RemoveRequest, RescaleRequest, SetRequest};
+use crate::request::change::{
+    AddRequest, ConvertRequest, RemoveRequest, RescaleRequest, SetRequest, TransferRequest,
+};
 use crate::request::inspect::{CheckRequest, DropTestRequest, InspectRequest, MotionRequest, NoteRequest};
 use crate::request::knowledge::{ExplainRequest, PresetsRequest, ReproduceRequest};
 use crate::request::library::{BatchRequest, SweepRequest};
