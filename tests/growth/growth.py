@@ -84,7 +84,7 @@ VERBS = {
     "files": (["rescale", "FOLDER", "--target-mass", "500", "-d", OUT, "--summary", "OUT.csv", "--jobs", "1"], ["files"]),
     "inspect files": (["inspect", "FOLDER"], ["files"]),
     "check files": (["check", "FOLDER"], ["files"]),
-    "add files": (["add", "FOLDER", "--from", "falisse2022", "--replace", "-d", OUT, "--jobs", "1"], ["files"]),
+    "add files": (["add", "FOLDER", "--from", "SMALL", "--replace", "-d", OUT, "--jobs", "1"], ["files"]),
     "convert files": (["convert", "FOLDER", "--to", "hunt-crossley", "-d", OUT, "--jobs", "1"], ["files"]),
     "batch": (["batch", "TABLE", "-d", OUT, "--jobs", "1"], ["files"]),
     "points": (["sweep", "SMALL", "--grid", "stiffness=x1..x2/COUNT", "-d", OUT, "--jobs", "1"], ["files"]),
