@@ -299,7 +299,7 @@ fn force_slopes(pair: &ContactPair, state: SphereState, stage: Stage) -> [[f64; 
 
 /// w ln(1 + e^(x/w)), which is nearly 0 below 0 and nearly x above.
 fn soft_positive(x: f64, width: f64) -> f64 {
-    x.max(0.0) + width * (-(x / width).abs()).exp().ln_1p()
+    x.max(0.0) + width * libm::log1p(libm::exp(-(x / width).abs()))
 }
 
 #[cfg(test)]
