@@ -306,6 +306,36 @@ fn the_engine_answers_about_presets_and_topics() {
 }
 
 #[test]
+fn a_corrected_motion_equals_the_command() {
+    let dir = TestDir::with(&[
+        ("motion/walker.osim", "walker.osim"),
+        ("motion/walk.mot", "walk.mot"),
+        ("motion/plates.sto", "plates.sto"),
+        ("motion/plates.xml", "plates.xml"),
+    ]);
+    let mut engine = engine_with_files(&dir);
+    let request = json!({
+        "verb": "motion", "subject": "walker.osim", "motion": "walk.mot", "plates": "plates.sto", "loads": "plates.xml",
+        "correct": "walk.corrected.sto",
+    });
+    let question = json!({ "do": "correct", "request": request });
+    let answer = ask_engine(&mut engine, &question);
+    assert_eq!(answer["verdict"], "agree");
+    let spelled = ask_engine(&mut engine, &json!({ "do": "spell", "request": request }));
+    dir.run(spelled["command"].as_str().unwrap().strip_prefix("osim-contact-scale ").unwrap()).succeeded();
+    let [file] = answer["files"].as_array().unwrap().as_slice() else { panic!("{}", answer["files"]) };
+    assert_same_text(&file[1], &dir.text(file[0].as_str().unwrap()), "the corrected motion");
+    let peak = |motion: &Value| {
+        let forces = motion["feet"][0]["model"]["forces_bw"].as_array().unwrap();
+        forces.iter().filter_map(|force| force[1].as_f64()).fold(0.0, f64::max)
+    };
+    assert!(peak(&answer["played"]) < 2.0, "{}", peak(&answer["played"]));
+    assert!(engine.bytes("walk.corrected.sto").is_none());
+    engine.put("walk.corrected.sto", Vec::new());
+    assert!(ask_for_error(&mut engine, &question)["message"].as_str().unwrap().contains("exists already"));
+}
+
+#[test]
 fn unknown_questions_to_the_engine_are_refused() {
     let mut engine = Engine::new();
     engine.set_today(TODAY);

@@ -3,6 +3,7 @@
 import assert from "node:assert/strict";
 
 import { inChromium } from "./support/chromium.mjs";
+import { Folder } from "./support/command.mjs";
 import { given } from "./support/places.mjs";
 
 const FILES = ["walker.osim", "walk.mot", "plates.sto", "plates.xml"].map((name) => given(`motion/${name}`));
@@ -14,7 +15,7 @@ inChromium("a motion is played with its plates; what is here alone is chosen, wh
   await user.announced(/3 files added/);
   await user.open(walker);
   assert.equal(await page.getByLabel("Recorded motion").inputValue(), "walk.mot");
-  assert.equal(await page.getByLabel("Force plates").inputValue(), "plates.sto");
+  assert.equal(await page.getByLabel("Force plates", { exact: true }).inputValue(), "plates.sto");
   assert.equal(await page.getByLabel("External loads").inputValue(), "plates.xml");
   const curves = page.getByRole("img", { name: /upward force in body weights, plates dashed/ });
   await curves.first().waitFor();
@@ -34,10 +35,57 @@ inChromium("a motion is played with its plates; what is here alone is chosen, wh
   assert.ok(Number(await cursor()) > Number(there));
 });
 
+inChromium("the motion is corrected: its verdict, its curves, its picture, and the file that the command writes", async (user) => {
+  const { page } = user;
+  await user.open(...FILES);
+  await user.button("Correct the motion").click();
+  const correction = page.locator(".correction");
+  await correction.getByText(/contacts and plates agree: loaded spheres move/i).waitFor({ timeout: 60_000 });
+  assert.equal(await correction.locator(".tag.good").innerText(), "agree");
+  const curves = page.getByRole("img", { name: /upward force in body weights, plates dashed, as recorded thin/ });
+  assert.equal(await curves.count(), 2);
+  const lines = curves.first().locator("polyline");
+  assert.deepEqual(await lines.evaluateAll((all) => [...new Set(all.map((one) => one.getAttribute("class")))]), ["old", "before", "new"]);
+  const drawn = () => page.locator("#stage-canvas").evaluate((one) => Number(one.dataset.drawn));
+  const before = await drawn();
+  await page.getByRole("radio", { name: "As recorded" }).check();
+  await page.waitForFunction((count) => Number(document.getElementById("stage-canvas").dataset.drawn) > count, before);
+  const [download] = await user.downloads(user.button("Download walk.corrected.sto"), 1);
+  const folder = new Folder(...FILES);
+  const { status, stderr } = await folder.type(await correction.locator("code").innerText());
+  assert.equal(status, 0, stderr);
+  assertSameNumbers(download.bytes.toString(), folder.read(download.name).toString());
+  folder.end();
+});
+
+/** Asserts that two tables have the same words, and numbers that differ by no more than two computers may. */
+function assertSameNumbers(one, other) {
+  const [words, others] = [one, other].map((text) => text.split(/\s+/));
+  assert.equal(words.length, others.length);
+  for (const [index, word] of words.entries()) {
+    assert.ok(word === others[index] || Math.abs(Number(word) - Number(others[index])) < 1e-9, `${word}, expected ${others[index]}`);
+  }
+}
+
+inChromium("a force in kN is said, and nothing is written; a delay is a field", async (user) => {
+  const { page } = user;
+  await user.open(FILES[0], FILES[1], given("motion/kilonewtons.sto"), FILES[3]);
+  await user.button("Correct the motion").click();
+  const correction = page.locator(".correction");
+  await correction.getByText(/are their forces in kN/).waitFor({ timeout: 60_000 });
+  assert.equal(await correction.locator(".tag.error").innerText(), "disagree");
+  assert.equal(await page.getByRole("button", { name: /^Download walk/ }).count(), 0);
+  await page.getByText("Filter and delay").click();
+  await page.getByLabel("Delay of the force plates (s)").fill("0,05");
+  await page.getByLabel("Delay of the force plates (s)").blur();
+  // Another recording has another correction.
+  await correction.getByText(/are their forces in kN/).waitFor({ state: "detached" });
+});
+
 inChromium("without plates the contacts are seen alone; a motion of another model says why not", async (user) => {
   const { page } = user;
   await user.open(...FILES);
-  await page.getByLabel("Force plates").selectOption("");
+  await page.getByLabel("Force plates", { exact: true }).selectOption("");
   await page.getByRole("img", { name: /upward force in body weights;/ }).first().waitFor();
   await page.getByLabel("External loads").selectOption("");
   await user.drop({ name: "other.mot", bytes: Buffer.from("other\nversion=1\nnRows=2\nnColumns=2\ninDegrees=yes\nendheader\ntime\tnothing\n0\t1\n1\t2\n") });

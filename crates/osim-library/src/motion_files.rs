@@ -6,8 +6,7 @@ use osim_model::messages::{Input, phrase};
 use osim_planning::MotionResult;
 use osim_requests::MotionRequest;
 use osim_view::report::results::{
-    MOCO_FILES, NMSM_FILES, corrected_motion, external_loads_xml, ground_reactions_sto, moco_files,
-    moved_plates_sto, moved_plates_xml, nmsm_files,
+    MOCO_FILES, NMSM_FILES, corrected_files, external_loads_xml, ground_reactions_sto, moco_files, nmsm_files,
 };
 
 use crate::LibraryFault;
@@ -79,34 +78,26 @@ impl MotionFiles {
     ///
     /// # Errors
     /// As [`write_files`].
-    pub fn write(&self, result: &MotionResult) -> Result<Vec<&Path>, LibraryFault> {
+    pub fn write(&self, result: &MotionResult) -> Result<Vec<PathBuf>, LibraryFault> {
         let name = |path: &Path| path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-        let mut files: Vec<(&Path, String)> = Vec::new();
-        let path = |place: usize| self.paths[place].as_deref();
-        let [table, loads, motion, plates, plate_loads] = [0, 1, 2, 3, 4].map(path);
-        if let Some((table, loads)) = table.zip(loads) {
-            files.push((table, ground_reactions_sto(result, &name(table))));
-            files.push((loads, external_loads_xml(result, &name(table))));
+        let mut files: Vec<(PathBuf, String)> = Vec::new();
+        if let [Some(table), Some(loads), ..] = self.paths.as_slice() {
+            files.push((table.clone(), ground_reactions_sto(result, &name(table))));
+            files.push((loads.clone(), external_loads_xml(result, &name(table))));
         }
-        let correction = result.correction();
-        if let Some((correction, motion)) = correction.zip(motion) {
-            files.push((motion, corrected_motion(result, correction, &name(motion))));
-            let on_belt = plates.zip(plate_loads).filter(|_| correction.belt_m_s.length() > 0.0);
-            if let Some((plates, loads)) = on_belt {
-                files.push((plates, moved_plates_sto(result, correction, &name(plates))));
-                files.push((loads, moved_plates_xml(result, &name(plates))));
-            }
+        if let Some(Some(motion)) = self.paths.get(2) {
+            files.extend(corrected_files(result, motion));
         }
-        let mut files: Vec<(&Path, Vec<u8>)> =
+        let mut files: Vec<(PathBuf, Vec<u8>)> =
             files.into_iter().map(|(path, text)| (path, text.into_bytes())).collect();
         let folders =
             self.moco.iter().zip(moco_files(result)).chain(self.nmsm.iter().zip(nmsm_files(result)));
         for (path, text) in folders {
             make_folder_of(path)?;
-            files.push((path, text));
+            files.push((path.clone(), text));
         }
         // All are complete before the first gets its name.
-        write_files(files.iter().map(|(path, bytes)| (*path, bytes.as_slice())), self.mode)?;
+        write_files(files.iter().map(|(path, bytes)| (path.as_path(), bytes.as_slice())), self.mode)?;
         Ok(files.into_iter().map(|(path, _)| path).collect())
     }
 }

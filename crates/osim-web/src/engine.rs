@@ -18,6 +18,7 @@ use crate::given_files::GivenFiles;
 use crate::knowledge::{self, EngineCall, Fields, SpelledCalls};
 use crate::opened_model::{self, OpenedModel};
 use crate::problem::Problem;
+use crate::recording::{CorrectedRecording, play_recording};
 
 /// Most models that stay open, because the page looks at one model and compares it with others.
 const MAX_OPEN_MODELS: usize = 4;
@@ -115,7 +116,10 @@ impl Engine {
                 ok_answer(BoneSurfaces::of(&opened.model.model, Path::new(&model), &self.files))
             }
             EngineCall::Play { request } => {
-                ok_answer(opened_model::play_recording(Request::from_map(request)?, &self.files)?)
+                ok_answer(play_recording(Request::from_map(request)?, &self.files)?)
+            }
+            EngineCall::Correct { request } => {
+                ok_answer(CorrectedRecording::of(Request::from_map(request)?, &mut self.files)?)
             }
             EngineCall::Change { request, parts } => {
                 self.last = None;

@@ -101,6 +101,8 @@ pub enum EngineCall {
     },
     /// The model along a recording, frame by frame. The request has a motion and its plates.
     Play { request: Fields },
+    /// The smallest correction of a recording that makes contacts give the forces of plates. The request has the name of the new file.
+    Correct { request: Fields },
     /// What a change would do to one model. It is kept as the last change. The request has its verb and one model; `parts` are the
     /// sections to make, `None` for all.
     Change { request: Fields, parts: Option<Vec<String>> },

@@ -14,6 +14,7 @@ mod given_files;
 mod knowledge;
 mod opened_model;
 mod problem;
+mod recording;
 
 pub use crate::engine::Engine;
 pub use crate::knowledge::EngineCall;

@@ -6,8 +6,8 @@ use osim_inspect::series::ContactBody;
 use osim_inspect::{CheckResult, FindingRecord, FindingWithRemedy, Inspection, Verdict};
 use osim_model::files::{Failure, Files, ModelFiles, OpenModel};
 use osim_model::messages::Verb;
-use osim_planning::scene::{BodyFall, PlayedRecording, Scene};
-use osim_planning::{Inspector, ModelFeet, run_motion};
+use osim_planning::scene::{BodyFall, Scene};
+use osim_planning::{Inspector, ModelFeet};
 use osim_requests::Request;
 use osim_requests::options::SetFiles;
 use osim_requests::spell::{FrontEnd, Page};
@@ -190,16 +190,6 @@ pub(crate) fn inspect_for_page(
         scene,
         falls,
     })
-}
-
-/// The motion of a model along a recording, frame by frame.
-pub(crate) fn play_recording(request: Request, given_files: &GivenFiles) -> Result<PlayedRecording, Problem> {
-    match request {
-        Request::Motion(request) => {
-            Ok(PlayedRecording::of(&run_motion(&request, given_files)?, &request, &Page))
-        }
-        other => Err(Problem::wrong_call(format!("{} follows no recording", other.verb().name()))),
-    }
 }
 
 /// Falls of the model on its contacts; empty if its contacts or its weight are unknown.

@@ -3,7 +3,7 @@
 import { workerAddress } from "../dom/trusted";
 import { EngineError } from "./failure";
 import { failed, type Files, type Reply, type Task, type ChangeThen } from "./messages";
-import type { AnimalFall, Bones, PlayedMotion } from "./space";
+import type { AnimalFall, Bones, CorrectedMotion, PlayedMotion } from "./space";
 import type { Change, Kept, Inspected, NamedBytes, Preset, Request, Sheet, Spelled } from "./types";
 
 interface Waiting {
@@ -47,6 +47,7 @@ export class Client {
   spell = (request: Request) => this.#call<Spelled>({ do: "spell", request });
   explain = (topic: string) => this.#call<{ text: string }>({ do: "explain", topic });
   play = (request: Record<string, unknown>) => this.#call<PlayedMotion>({ do: "play", request });
+  correct = (request: Record<string, unknown>) => this.#call<CorrectedMotion>({ do: "correct", request });
   animals = () => this.#call<AnimalFall[]>({ do: "animals" });
   presets = (fields: Record<string, unknown> = {}) => this.#call<Preset[]>({ do: "presets", fields });
   zipBegin = () => this.#send<null>({ do: "zip-begin" });

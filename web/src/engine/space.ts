@@ -60,6 +60,16 @@ export interface PlayedMotion {
   remarks: readonly string[];
 }
 
+/** A recording after the smallest correction that makes contacts and force plates agree. */
+export interface CorrectedMotion {
+  verdict: "agree" | "large-correction" | "disagree";
+  why: string;
+  remarks: readonly string[];
+  /** The files that the command writes, with their texts; none if plates and motion cannot be compared. */
+  files: readonly (readonly [name: string, text: string])[];
+  played: PlayedMotion | null;
+}
+
 /** Two falls of an animal: heights of its spheres' lowest points in radii, at equal times in √(R/g). */
 export interface AnimalFall {
   name: string;

@@ -11,7 +11,7 @@ const MOST_MARKED_WITH_1 = 4;
 
 /** A curve: `kind` is its look, null is a gap. */
 export interface Curve {
-  kind: "new" | "old";
+  kind: "new" | "before" | "old";
   values: readonly (number | null)[];
 }
 

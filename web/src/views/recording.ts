@@ -8,7 +8,8 @@ import { QUESTIONS } from "../forms/all";
 import { answersFor } from "../state/answers";
 import { currentFile } from "../state/model";
 import type { Session } from "../state/session";
-import { Curves } from "./curves";
+import { CorrectionView, type MotionRequest } from "./correction";
+import { type Curve, Curves } from "./curves";
 import { sentence } from "./failure";
 import { Player } from "./player";
 
@@ -16,6 +17,9 @@ import { Player } from "./player";
 const ANSWERS_FOR_MOTION = ["mass", "contacts_mass", "exclude_body", "select", "exclude", "geometry", "model"];
 const FILES_OF_RECORDING: readonly [field: "motion" | "plates" | "loads", label: string][] = [
   ["motion", "Recorded motion"], ["plates", "Force plates"], ["loads", "External loads"],
+];
+const NUMBERS_OF_RECORDING: readonly [field: string, label: string][] = [
+  ["low_pass", "Cutoff of the low-pass filter (Hz)"], ["plates_delay", "Delay of the force plates (s)"],
 ];
 /** The motion is shown slower by this factor. */
 const SLOW_MOTION_FACTOR = 2;
@@ -27,18 +31,29 @@ export class RecordingView {
   readonly element = el("div", { class: "recording", hidden: true });
   readonly #player = new Player({ play: "Play the motion", time: "Time of the motion", id: "play-motion" }, (moment) => this.#showMoment(moment));
   readonly #selects = new Map(FILES_OF_RECORDING.map(([field, label]) => [field, el("select", { "aria-label": label })] as const));
+  readonly #numbers = new Map(NUMBERS_OF_RECORDING.map(([field, label]) => [field, el("input", { type: "text", inputmode: "decimal", autocomplete: "off", "aria-label": label })] as const));
   readonly #plots = el("div", { class: "recording-plots" });
   readonly #words = el("ul", { class: "recording-words" });
   readonly #failure = el("p", { class: "problem", role: "alert" });
   #curves: Curves[] = [];
   #played: PlayedMotion | undefined;
+  /** The corrected motion, if there is one, and whether it is shown. */
+  #corrected: PlayedMotion | undefined;
+  #showsCorrected = false;
+  #moment = 0;
   #requestKey = "";
+  readonly #correction: CorrectionView;
 
   constructor(readonly session: Session, readonly onMoment: Shows, readonly up: () => Vector) {
-    const labels = FILES_OF_RECORDING.map(([field, label]) => el("label", {}, el("span", {}, label), this.#selects.get(field) ?? ""));
+    const labelled = (label: string, control: Node | undefined) => el("label", {}, el("span", {}, label), control ?? "");
+    const files = FILES_OF_RECORDING.map(([field, label]) => labelled(label, this.#selects.get(field)));
+    const numbers = NUMBERS_OF_RECORDING.map(([field, label]) => labelled(label, this.#numbers.get(field)));
+    this.#correction = new CorrectionView(session, (played, isShown) => this.#showCorrected(played, isShown));
     this.element.append(
-      el("h3", {}, "Along a recording"), el("div", { class: "recording-files" }, ...labels), this.#failure, this.#player.element, this.#plots, this.#words);
-    for (const select of this.#selects.values()) select.addEventListener("change", () => void this.#load());
+      el("h3", {}, "Along a recording"), el("div", { class: "recording-files" }, ...files),
+      el("details", { class: "more" }, el("summary", {}, "Filter and delay"), el("div", { class: "recording-files" }, ...numbers)),
+      this.#failure, this.#player.element, this.#correction.element, this.#plots, this.#words);
+    for (const control of [...this.#selects.values(), ...this.#numbers.values()]) control.addEventListener("change", () => void this.#load());
     session.files.watch(() => this.#updateChoices());
     session.chosen.watch(() => this.#updateChoices());
     session.models.watch(() => void this.#load());
@@ -72,43 +87,62 @@ export class RecordingView {
     const chosen = Object.fromEntries(FILES_OF_RECORDING.map(([field]) => [field, this.#file(field)]).filter(([, name]) => name !== ""));
     // External loads describe the columns of the plates, so that they are useless alone.
     if (!("plates" in chosen)) delete chosen["loads"];
+    const numbers = [...this.#numbers].filter(([, { value }]) => value.trim() !== "").map(([field, { value }]) => [field, Number(value.replace(",", "."))]);
     const answers = Object.entries(answersFor(model, QUESTIONS)).filter(([name]) => ANSWERS_FOR_MOTION.includes(name));
-    const request = { ...Object.fromEntries(answers), ...chosen, verb: "motion", subject: currentFile(model) };
+    const request = { ...Object.fromEntries(answers), ...Object.fromEntries(numbers), ...chosen, verb: "motion", subject: currentFile(model) };
     const key = JSON.stringify(request);
     if (key === this.#requestKey) return;
     this.#requestKey = key;
+    this.#correction.offer(undefined);
     if (!("motion" in request)) return this.#show(undefined);
     try {
       const played = await this.session.engine.play(request);
-      if (key === this.#requestKey) this.#show(played);
+      if (key !== this.#requestKey) return;
+      this.#show(played);
+      if ("plates" in request) this.#correction.offer(request as MotionRequest);
     } catch (error) {
       if (key === this.#requestKey) this.#show(undefined, sentence(toFailure(error).message));
     }
   }
 
   #show(played: PlayedMotion | undefined, failure = ""): void {
-    this.#played = played;
+    [this.#played, this.#corrected, this.#showsCorrected, this.#moment] = [played, undefined, false, 0];
     setText(this.#failure, failure);
-    const times = played?.time_s ?? [];
-    const [start, end] = [times[0] ?? 0, times[times.length - 1] ?? 0];
-    this.#player.reset(times.length, (end - start) * SLOW_MOTION_FACTOR);
+    const { time_s: times = [] } = played ?? {};
+    this.#player.reset(times.length, ((times[times.length - 1] ?? 0) - (times[0] ?? 0)) * SLOW_MOTION_FACTOR);
     this.#words.replaceChildren(...(played?.remarks ?? []).map((remark) => el("li", {}, sentence(remark))));
-    const upward = ({ forces_bw: forces }: PlayedForce) => forces.map((force) => force && dot(force, this.up()));
-    const feet = played?.feet ?? [];
-    this.#curves = feet.map(({ name, model, plates }) => {
-      const curves = new Curves(110);
-      const measured = plates ? [{ kind: "old" as const, values: upward(plates) }] : [];
-      const dashed = plates ? ", plates dashed" : "";
-      const about = `${name}: upward force in body weights${dashed}; in words below`;
-      curves.show([...measured, { kind: "new" as const, values: upward(model) }], `${name}, body weights${dashed}`, about, start, end);
-      return curves;
-    });
-    this.#plots.replaceChildren(...this.#curves.map(({ element }) => element));
+    this.#drawCurves();
     this.onMoment(undefined, 0);
   }
 
+  #showCorrected(corrected: PlayedMotion | undefined, isShown: boolean): void {
+    const isNew = corrected !== this.#corrected;
+    [this.#corrected, this.#showsCorrected] = [corrected, isShown];
+    if (isNew) this.#drawCurves();
+    this.#showMoment(this.#moment);
+  }
+
+  #drawCurves(): void {
+    const { time_s: times = [], feet = [] } = this.#played ?? {};
+    const upward = ({ forces_bw: forces }: PlayedForce) => forces.map((force) => force && dot(force, this.up()));
+    this.#curves = feet.map(({ name, model, plates }, index) => {
+      const curves = new Curves(110);
+      const after = this.#corrected?.feet[index]?.model;
+      const all: (false | null | undefined | { kind: Curve["kind"]; of: PlayedForce })[] = [
+        plates && { kind: "old", of: plates }, { kind: after ? "before" : "new", of: model }, after && { kind: "new", of: after },
+      ];
+      const kinds = `${plates ? ", plates dashed" : ""}${after ? ", as recorded thin" : ""}`;
+      const about = `${name}: upward force in body weights${kinds}; in words below`;
+      const drawn = all.flatMap((curve) => (curve ? [{ kind: curve.kind, values: upward(curve.of) }] : []));
+      curves.show(drawn, `${name}, body weights${kinds}`, about, times[0] ?? 0, times[times.length - 1] ?? 0);
+      return curves;
+    });
+    this.#plots.replaceChildren(...this.#curves.map(({ element }) => element));
+  }
+
   #showMoment(moment: number): void {
-    this.onMoment(this.#played, moment);
+    this.#moment = moment;
+    this.onMoment(this.#showsCorrected ? this.#corrected : this.#played, moment);
     for (const curves of this.#curves) curves.moveCursor(moment);
   }
 }

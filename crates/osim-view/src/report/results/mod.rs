@@ -13,8 +13,8 @@ pub(crate) use motion::motion_feet;
 pub use motion::{
     ConsistencyRecord, CorrectedErrorRecord, MotionCells, MotionColumn, MotionComparisonRecord,
     MotionFootRecord, MotionRecord, MotionRemarkRecord, MotionSphereRecord, MotionStanceRecord,
-    MotionTouchDownRecord, corrected_motion, external_loads_xml, ground_reactions_sto, motion_columns,
-    motion_csv, motion_text, moved_plates_sto, moved_plates_xml,
+    MotionTouchDownRecord, corrected_files, external_loads_xml, ground_reactions_sto, motion_columns,
+    motion_csv, motion_text,
 };
 pub use next_step::{MOCO_FILES, NMSM_FILES, moco_files, nmsm_files};
 pub use preset::{PresetRecord, SweepRecord, design_sheet_text, preset_text};

@@ -1,6 +1,7 @@
 //! Contacts along a motion: in words, as tables, and as files for OpenSim.
 
 use std::ops::Range;
+use std::path::{Path, PathBuf};
 
 use osim_model::messages::{Dialect, four_significant, readable, shortest, shown};
 use osim_model::{DVec3, Side};
@@ -325,7 +326,7 @@ pub fn ground_reactions_sto(result: &MotionResult, name: &str) -> String {
 
 /// The measured ground reactions as [`ground_reactions_sto`] has those of the model, for the corrected motion: on a treadmill their
 /// points move with it. Each foot's force acts on its first body.
-pub fn moved_plates_sto(result: &MotionResult, correction: &Correction, name: &str) -> String {
+fn moved_plates_sto(result: &MotionResult, correction: &Correction, name: &str) -> String {
     plates_sto(result, 0..result.states.frames(), &correction.belt_way_m, name)
 }
 
@@ -407,8 +408,22 @@ fn point_of_force(result: &MotionResult, first: Option<&ContactState>, wrench: &
     wrench.centre_of_pressure(state.normal, on_plane, least_n).map(|centre| centre.point_m)
 }
 
+/// The corrected motion at `path`; beside it the moved plates and their loads, which a treadmill needs. Empty without a correction.
+pub fn corrected_files(result: &MotionResult, path: &Path) -> Vec<(PathBuf, String)> {
+    let Some(correction) = result.correction() else { return Vec::new() };
+    let name = |path: &Path| path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    let mut files = vec![(path.to_owned(), corrected_motion(result, correction, &name(path)))];
+    if correction.belt_m_s.length() > 0.0 {
+        let plates = path.with_extension("plates.sto");
+        let loads = (plates.with_extension("xml"), moved_plates_xml(result, &name(&plates)));
+        let table = moved_plates_sto(result, correction, &name(&plates));
+        files.extend([(plates, table), loads]);
+    }
+    files
+}
+
 /// The text of the corrected motion. Its header says what was done.
-pub fn corrected_motion(result: &MotionResult, correction: &Correction, name: &str) -> String {
+pub(super) fn corrected_motion(result: &MotionResult, correction: &Correction, name: &str) -> String {
     let figures = &correction.figures;
     let about = format!(
         "{CORRECTED_HEADER_LINE} of {}: loaded spheres move up or down by {:.1} mm (95 %), joints by {:.1} degrees (rms), the floor by {:.1} mm; no \
@@ -432,7 +447,7 @@ pub fn external_loads_xml(result: &MotionResult, data_file: &str) -> String {
 }
 
 /// OpenSim's `ExternalLoads` file for the output of [`moved_plates_sto`], which is in the same folder under the name `data_file`.
-pub fn moved_plates_xml(result: &MotionResult, data_file: &str) -> String {
+pub(super) fn moved_plates_xml(result: &MotionResult, data_file: &str) -> String {
     let bodies = result.summary.feet.iter().filter_map(|foot| foot.foot.bodies.first());
     loads_xml("plates", bodies.map(|body| (body.as_str(), body.as_str())), data_file)
 }
