@@ -111,6 +111,8 @@ class Finding(NamedValues):
         Why it matters and what to do about it, for every case of this code.
     place : str or None
         Component path of the force or sphere.
+    places : tuple of str
+        Component paths of all elements concerned, `place` first, as far as they are known.
     spheres : tuple of str
         Names of all spheres concerned.
     line, column : int or None
@@ -129,6 +131,7 @@ class Finding(NamedValues):
     why: str
     advice: str
     place: str | None
+    places: tuple[str, ...]
     spheres: tuple[str, ...]
     line: int | None
     column: int | None
@@ -142,7 +145,7 @@ class Finding(NamedValues):
     ) -> Finding:
         command = record["command"]
         remedy = Remedy(command, request, source, others, folder) if command and request else None
-        lists = {key: tuple(record[key]) for key in ("spheres", "details")}
+        lists = {key: tuple(record[key]) for key in ("places", "spheres", "details")}
         values = {key: value for key, value in record.items() if key != "command"}
         return cls(**values | lists, remedy=remedy)
 

@@ -309,7 +309,8 @@ fn findings_agree_with_their_topics_in_explain() {
             assert!(!finding.message.is_empty() && ![finding.line, finding.column].contains(&Some(0)));
             assert_eq!(finding.line.is_some(), finding.column.is_some());
             assert!(
-                finding.details.is_empty() || finding.details.len() == finding.spheres.len(),
+                finding.details.is_empty()
+                    || [finding.spheres.len(), finding.places.len()].contains(&finding.details.len()),
                 "{finding:?}"
             );
             let about_spheres = !finding.spheres.is_empty();

@@ -69,6 +69,7 @@ pub(crate) struct Finding {
     pub(crate) why: String,
     pub(crate) advice: String,
     pub(crate) place: Option<String>,
+    pub(crate) places: Vec<String>,
     pub(crate) spheres: Vec<String>,
     pub(crate) line: Option<usize>,
     pub(crate) column: Option<usize>,

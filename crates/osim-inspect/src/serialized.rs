@@ -27,6 +27,8 @@ pub struct FindingRecord {
     pub advice: String,
     /// Component path of the force or sphere that the finding is about; of several the worst.
     pub place: Option<String>,
+    /// Component paths of all elements that the finding is about, `place` first, as far as they are known.
+    pub places: Vec<String>,
     /// Names of all spheres that the finding is about.
     pub spheres: Vec<String>,
     /// Line in the model's file, from 1.
@@ -50,6 +52,7 @@ impl From<&Finding> for FindingRecord {
             why: finding.why.to_string(),
             advice: finding.advice.to_string(),
             place: finding.place.clone(),
+            places: finding.paths().cloned().collect(),
             spheres: finding.spheres.clone(),
             line: finding.position.map(|at| at.line),
             column: finding.position.map(|at| at.column),

@@ -101,8 +101,8 @@ impl PreparedChange {
         judged.iter_mut().for_each(|one| self.keep_ways_out(&mut one.message));
         // Conversion has advice of its own on what it makes.
         if self.verb == Verb::Convert {
-            let own: HashSet<_> = plan.findings.iter().map(case_of).collect();
-            judged.retain(|one| !own.contains(&case_of(one)));
+            let own: HashSet<_> = plan.findings.iter().flat_map(cases_of).collect();
+            judged.retain(|one| !cases_of(one).all(|case| own.contains(&case)));
         }
         let is_sunk_in = |one: &&Finding| !one.had_before && one.code() == FindingCode::SunkIn;
         let awaits = self.bodies_await_scaling(plan, weighs_kg);
@@ -132,8 +132,8 @@ impl PreparedChange {
             self.keep_ways_out(&mut question.message);
             return Err(question);
         }
-        let cases: HashSet<_> = judged.iter().map(case_of).collect();
-        plan.findings.retain(|own| !cases.contains(&case_of(own)));
+        let cases: HashSet<_> = judged.iter().flat_map(cases_of).collect();
+        plan.findings.retain(|own| !cases_of(own).all(|case| cases.contains(&case)));
         if awaits {
             // Nobody knows the default pose of the scaled bodies yet.
             moved = MovedBottoms::default();
@@ -218,16 +218,18 @@ fn findings_of_result(
         // A finding with another code in the same place is not new: contacts that no longer are those of a published model are not
         // worse.
         let was = index.find_same_or_other_depth(one);
-        was.is_some_and(|was| was.code() == one.code() || was.rule.severity >= one.rule.severity)
+        let is_known = |code| code != one.code() || index.has_all_places(one);
+        was.filter(|was| is_known(was.code()))
+            .is_some_and(|was| was.code() == one.code() || was.rule.severity >= one.rule.severity)
             || reference.iter().any(|was| was.code() == one.code() && was.severity >= one.severity)
     };
     let judged = |one: &FindingWithRemedy| Finding { had_before: had(one), ..one.finding.clone() };
     after.unwrap_or(before).iter().map(judged).collect()
 }
 
-/// What is equal if two findings are about the same fault at the same place.
-fn case_of(finding: &Finding) -> (FindingCode, Option<&str>, Severity) {
-    (finding.code(), finding.place.as_deref(), finding.severity)
+/// For each place of a finding, what is equal if another finding is about the same fault at this place.
+fn cases_of(finding: &Finding) -> impl Iterator<Item = (FindingCode, Option<&str>, Severity)> {
+    finding.paths_or_none().map(|place| (finding.code(), place, finding.severity))
 }
 
 /// Whether a sphere sinks in up to its centre when all spheres carry their share of the weight.

@@ -39,6 +39,7 @@ export interface Finding {
   line: number | null;
   place: string | null;
   spheres: string[];
+  details: string[];
   remedy: { text: string; request: Request } | null;
 }
 

@@ -78,18 +78,25 @@ impl<'f> FindingIndex<'f> {
             if !one.spheres.is_empty() {
                 index.about_spheres.entry(one.code()).or_insert(at);
             }
-            index.by_place.entry((one.code(), one.place.as_deref())).or_insert(at);
+            for place in one.paths_or_none() {
+                index.by_place.entry((one.code(), place)).or_insert(at);
+            }
             index.by_code.entry(one.code()).or_insert(at);
         }
         index
     }
 
-    /// The first finding with the code of `one` and, unless it is about spheres, also with the place of `one`.
+    /// The first finding with the code of `one` and, unless it is about spheres, also with a place of `one`.
     pub fn find_same(&self, one: &FindingWithRemedy) -> Option<&'f FindingWithRemedy> {
         let about_spheres = self.about_spheres.get(&one.code()).filter(|_| !one.spheres.is_empty());
-        let at =
-            about_spheres.into_iter().chain(self.by_place.get(&(one.code(), one.place.as_deref()))).min()?;
-        self.findings.get(*at)
+        let about_places = one.paths_or_none().filter_map(|place| self.by_place.get(&(one.code(), place)));
+        self.findings.get(*about_spheres.into_iter().chain(about_places).min()?)
+    }
+
+    /// Whether each place of `one` has a finding with its code. Findings about spheres have the place of the worst one, so they need none.
+    pub fn has_all_places(&self, one: &FindingWithRemedy) -> bool {
+        let is_known = |place| self.by_place.contains_key(&(one.code(), place));
+        !one.spheres.is_empty() || one.paths_or_none().all(is_known)
     }
 
     /// The same finding as `one`; else, if `one` is about depth, the first finding with another code of depth.

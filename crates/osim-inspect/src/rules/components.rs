@@ -65,6 +65,7 @@ pub(super) fn find_irregularities(model: &Model) -> Vec<Finding> {
                 });
                 if let Some(finding) = found.get_mut(index) {
                     finding.details.push(text);
+                    finding.places.push(owner.clone());
                 }
             }
             Irregularity::LeadsNowhere { owner, socket, text, position } => {
@@ -89,7 +90,10 @@ pub(super) fn find_irregularities(model: &Model) -> Vec<Finding> {
     for index in by_class.into_values() {
         let Some(finding) = found.get_mut(index) else { continue };
         match finding.details.len() {
-            1 => finding.details.clear(),
+            1 => {
+                finding.details.clear();
+                finding.places.clear();
+            }
             count => finding.message.push(and_others(
                 count,
                 "another of this class, too",
@@ -248,13 +252,14 @@ fn find_duplicate_name(model: &Model, id: ComponentId, object: &Component) -> Op
     let tag = components.tag(id);
     let is_relevant =
         ["Contact", "HuntCrossleyForce", "SmoothSphere", "Body"].iter().any(|class| tag.starts_with(class));
-    let unnumbered =
-        object.unnumbered_name.as_ref().filter(|_| is_relevant && tag != Class::ContactParameters.tag())?;
+    if !is_relevant || tag == Class::ContactParameters.tag() || object.unnumbered_name.is_none() {
+        return None;
+    }
     // OpenSim names an object without a name after its class.
     let is_named = tag.ends_with("Set") || !components.name(id).is_empty();
     is_named.then(|| {
         let path = components.tree.path(id);
-        let text = format!("'{unnumbered}' appears twice: OpenSim calls this one {path}");
+        let text = format!("OpenSim calls this {tag} {path}, because its name appears twice");
         Finding::at(&DUPLICATE_NAMES, components.position_of(id), text).with_place(&path)
     })
 }

@@ -26,7 +26,8 @@ pub(super) fn about_forces(
     let found: Vec<(&Force, &ParameterSet, String)> = found.collect();
     let (force, set, text) = found.first()?;
     let more = and_others(found.len(), "another force, too", "other forces, too");
-    Some(Finding::at(rule, set.position, format!("{text}{more}")).with_place(&force.path))
+    let places = found.iter().map(|(force, ..)| force.path.clone()).collect();
+    Some(Finding { places, ..Finding::at(rule, set.position, format!("{text}{more}")).with_place(&force.path) })
 }
 
 rule! { pub(super) SEVERAL_SPHERES_ONE_FORCE: SeveralSpheres, Remark, Solver;
@@ -226,7 +227,7 @@ fn keeps_sphere_inside(model: &Model, force: &Force) -> bool {
     force.spheres().into_iter().any(|id| model.sphere(id).is_some_and(Sphere::is_inside_force))
 }
 
-/// A remedy that converts the force which `finding` is about into a form that today's OpenSim reads. It converts all forces if all have
+/// A remedy that converts the forces which `finding` is about into a form that today's OpenSim reads. It converts all forces if all have
 /// their spheres inside and the caller chose none of them.
 pub(super) fn convert_moco_forces(
     remedies: &Remedies<'_>,
@@ -236,8 +237,9 @@ pub(super) fn convert_moco_forces(
     let models = remedies.models(false)?;
     let all = remedies.options.selection == Selection::default()
         && model.forces().iter().all(|force| keeps_sphere_inside(model, force));
-    let force = model.forces().iter().find(|force| Some(force.path.as_str()) == finding.place.as_deref())?;
-    let select = if all { Vec::new() } else { vec![exact_pattern(&force.name)?] };
+    let forces = model.forces().iter().filter(|force| finding.paths().any(|path| *path == force.path));
+    let names: Option<Vec<_>> = forces.map(|force| exact_pattern(&force.name)).collect();
+    let select = if all { Vec::new() } else { names? };
     let choice = ForceOptions { select, ..ForceOptions::default() };
     let to = Some(ClassChoice::of(ForceKind::SmoothSphereHalfSpace));
     Some(ConvertRequest { models, to, choice, ..ConvertRequest::default() }.into())

@@ -204,7 +204,7 @@ pub fn model_findings(model: &Model) -> &[Finding] {
             Numbers => find(model),
             Rest => found.next().unwrap_or_default(),
         });
-        findings.collect()
+        Finding::group_by_cause(findings.collect())
     })
 }
 

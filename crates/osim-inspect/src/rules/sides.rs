@@ -47,8 +47,11 @@ fn find_difference(
     is_small: bool,
 ) -> Option<Finding> {
     let first = differences.iter().find(|difference| difference.is_small == is_small)?;
-    let text = format!("{} and {} differ: {}", left.path, right.path, first.text);
-    Some(Finding::at(rule, left.position, text).with_place(&left.path))
+    let text = |what: &str| format!("{} and {} differ: {what}", left.path, right.path);
+    let finding = Finding::at(rule, left.position, text(&first.text)).with_place(&left.path);
+    let all: Vec<&str> = differences.iter().map(|difference| difference.text.as_str()).collect();
+    let details = if all.len() > 1 { vec![text(&all.join("; "))] } else { Vec::new() };
+    Some(finding.with_details(details))
 }
 
 /// The side with right contacts, if only one side has them: contacts of the reference that the caller names, or published ones from the
@@ -86,10 +89,11 @@ pub(crate) fn with_odd_side(
     finding: &Finding,
     remedies: &Remedies<'_>,
 ) -> FindingWithRemedy {
-    let remedy = copy_other_side(remedies, model, sides, known, finding);
+    let of_each = finding.paths().map(|path| copy_other_side(remedies, model, sides, known, path));
+    let remedy = of_each.reduce(|one, other| join_forces(one?, other?)).flatten();
     let mut finding = finding.clone();
     name_odd_side(&mut finding, sides, known);
-    FindingWithRemedy::new(finding, remedy)
+    FindingWithRemedy::new(finding, remedy.map(Request::from))
 }
 
 /// Adds to the message which side is wrong, and why. If most other contacts of the model show it, the message has it already.
@@ -117,16 +121,25 @@ struct UnevenValue {
     right: f64,
 }
 
-/// A remedy that writes the values of the right force into the wrong force of the pair that `finding` is about; `None` if it is not known
-/// which force is wrong.
+/// The request `one`, extended to the forces of `other`; `None` if the requests differ in something else.
+fn join_forces(mut one: SetRequest, mut other: SetRequest) -> Option<SetRequest> {
+    let added = std::mem::take(&mut other.choice.select);
+    other.choice.select.clone_from(&one.choice.select);
+    let are_alike = one == other;
+    one.choice.select.extend(added);
+    are_alike.then_some(one)
+}
+
+/// A remedy that writes the values of the right force into the wrong force of the pair whose left force has the path `left`; `None` if it
+/// is not known which force is wrong.
 fn copy_other_side(
     remedies: &Remedies<'_>,
     model: &Model,
     sides: &BothSides<'_>,
     known: Option<&KnownSide>,
-    finding: &Finding,
-) -> Option<Request> {
-    let left = sides.force(finding.place.as_deref()?)?;
+    left: &str,
+) -> Option<SetRequest> {
+    let left = sides.force(left)?;
     let right = sides.right_counterpart(left)?;
     let values = uneven_values(model, sides, left, right)?;
     let odd = odd_side(known, sides, left)?;
@@ -141,7 +154,7 @@ fn copy_other_side(
     let assignments = assignments.iter().map(|(property, value)| (*property, Assignment::Value(*value)));
     let set = remedies.set(assignments.collect())?;
     let choice = ForceOptions { select: vec![exact_pattern(&wrong.name)?], ..remedies.choice() };
-    Some(SetRequest { choice, ..set }.into())
+    Some(SetRequest { choice, ..set })
 }
 
 /// Whether `set` accepts these values; it refuses a `constant_contact_force` of 0.

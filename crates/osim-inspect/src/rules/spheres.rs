@@ -17,8 +17,9 @@ pub(super) fn about_spheres<'s>(
     spheres: impl Iterator<Item = &'s Sphere> + Clone,
 ) -> Option<Finding> {
     let first = spheres.clone().next()?;
-    let finding = Finding::at(rule, first.position, text).with_place(&first.path);
-    Some(finding.with_spheres(spheres.map(|sphere| sphere.name.clone()).collect()))
+    let (places, names) = spheres.map(|sphere| (sphere.path.clone(), sphere.name.clone())).unzip();
+    let finding = Finding::at(rule, first.position, text).with_place(&first.path).with_spheres(names);
+    Some(Finding { places, ..finding })
 }
 
 /// The end of a message about the first of `count` cases: empty for one case, `one` for two cases; for more, the number of the other cases

@@ -284,3 +284,23 @@ fn joints_of_old_documents_take_commas_and_brackets() {
         );
     }
 }
+
+#[test]
+fn faults_of_one_cause_are_one_finding_with_all_elements() {
+    let text = fixture("../table1/human_62kg_smooth_sphere");
+    let (good, bad) = ("<dissipation>2</dissipation>", "<dissipation>-2</dissipation>");
+    let model = Model::parse(text.replace(good, bad)).unwrap();
+    let [finding] = model_findings(&model) else { panic!("{:?}", codes_of(&model)) };
+    let paths: Vec<String> = model.forces().iter().map(|force| force.path.clone()).collect();
+    assert_eq!((finding.code().as_str(), &finding.places, paths.len()), ("out-of-domain", &paths, 12));
+    assert!(finding.message.to_string().ends_with(" (and 11 more)"), "{}", finding.message);
+    assert_eq!(
+        finding.details[11],
+        format!("dissipation of {} is -2, expected a finite number, 0 or more", paths[11])
+    );
+    // Another number is another cause.
+    let others = text.replacen(good, bad, 2).replace(good, "<dissipation>-3</dissipation>");
+    let counts =
+        model_findings(&Model::parse(others).unwrap()).iter().map(|one| one.places.len()).collect::<Vec<_>>();
+    assert_eq!(counts, [2, 10]);
+}

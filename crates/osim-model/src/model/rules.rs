@@ -62,7 +62,7 @@ impl Model {
             }
             _ => remarks.extend(forces().filter_map(find_disabled_force)),
         }
-        remarks
+        Finding::group_by_cause(remarks)
     }
 }
 

@@ -170,9 +170,12 @@ fn row_text(mut text: String, place: Option<&str>, findings: &[&FindingWithRemed
         text.push_str(&format!(" ({name})"));
     }
     let Some(first) = findings.first() else { return text };
-    let alike = findings.iter().filter(|finding| finding.code() == first.code()).count();
-    if alike > 1 {
-        text.push_str(&format!(" (and {} more)", alike - 1));
+    let others = findings.iter().filter(|finding| finding.code() == first.code()).count() - 1;
+    match others {
+        0 => {}
+        // The message of the first counts the cases of its own cause.
+        _ if text.ends_with(" more)") => text.push_str(&format!("; {}", counted(others, "other cause"))),
+        _ => text.push_str(&format!(" (and {others} more)")),
     }
     let mut codes: Vec<&str> = findings.iter().map(|finding| finding.code().as_str()).collect();
     codes.dedup();

@@ -3,6 +3,7 @@
 mod code;
 
 use contact_scaling::limits;
+use foldhash::{HashMap, HashMapExt};
 
 use crate::messages::{Dialect, Phrase};
 use crate::xml::TextPosition;
@@ -36,6 +37,8 @@ pub struct Finding {
     pub advice: Phrase,
     /// Component path of the force, sphere or body in question; of the worst one if there are several. `None` if no component is meant.
     pub place: Option<String>,
+    /// Component paths of all elements in question, `place` first; empty if there is only one.
+    pub places: Vec<String>,
     /// Names of all spheres in question; empty if the finding is not about spheres.
     pub spheres: Vec<String>,
     /// Place in the model's file; `None` if there is no single place.
@@ -66,6 +69,7 @@ impl Finding {
             why: rule.why(),
             advice: rule.advice(),
             place: None,
+            places: Vec::new(),
             spheres: Vec::new(),
             position: None,
             had_before: false,
@@ -112,6 +116,56 @@ impl Finding {
 
     pub fn with_severity(self, severity: Severity) -> Self {
         Self { severity, ..self }
+    }
+
+    /// The component paths of all elements in question.
+    pub fn paths(&self) -> impl Iterator<Item = &String> {
+        self.place.iter().filter(|_| self.places.is_empty()).chain(&self.places)
+    }
+
+    /// The component paths of all elements in question, or `None` alone.
+    pub fn paths_or_none(&self) -> impl Iterator<Item = Option<&str>> {
+        let no_path = self.place.is_none().then_some(None);
+        self.paths().map(|path| Some(path.as_str())).chain(no_path)
+    }
+
+    /// What findings of one cause have in common: all but their lines, and the component paths in their texts.
+    fn cause(&self) -> String {
+        let texts = std::iter::once(self.message.to_string()).chain(self.details.iter().cloned());
+        let without_paths = texts.map(|text| {
+            let words = text.split(' ').map(|word| if word.starts_with('/') { "/" } else { word });
+            words.collect::<Vec<_>>().join(" ")
+        });
+        format!("{:?}", (self.code(), self.severity, without_paths.collect::<Vec<_>>(), &self.spheres))
+    }
+
+    /// Makes one finding of all that have the same cause. It has the place and the line of the first, and a sentence for each.
+    pub fn group_by_cause(findings: Vec<Self>) -> Vec<Self> {
+        let mut groups: Vec<Vec<Self>> = Vec::new();
+        let mut by_cause: HashMap<String, usize> = HashMap::new();
+        for finding in findings {
+            let index = *by_cause.entry(finding.cause()).or_insert(groups.len());
+            match groups.get_mut(index) {
+                Some(group) => group.push(finding),
+                None => groups.push(vec![finding]),
+            }
+        }
+        groups.into_iter().filter_map(Self::join_cases).collect()
+    }
+
+    fn join_cases(cases: Vec<Self>) -> Option<Self> {
+        let mut joined = cases.first()?.clone();
+        if cases.len() > 1 {
+            joined.places = cases.iter().flat_map(Self::paths).cloned().collect();
+            joined.message.push(format!(" (and {} more)", cases.len() - 1));
+            joined.details = cases.iter().flat_map(|case| case.sentences()).collect();
+        }
+        Some(joined)
+    }
+
+    /// The details, or else the message.
+    fn sentences(&self) -> Vec<String> {
+        if self.details.is_empty() { vec![self.message.to_string()] } else { self.details.clone() }
     }
 
     /// Converts the texts of the finding to the `dialect` of a front end.
