@@ -27,6 +27,8 @@ function results = motion(varargin)
 %         true or false.
 %     floor: With correct: the floor is this much higher than in the model, m [default: it is found].
 %         Takes a number.
+%     error: With correct: usual errors of the motion's places and angles, as in 6mm,2deg [default:
+%         these]. The limits of the verdict grow with the first. Takes a text.
 %     output: Write the model's ground reactions to this file (.sto), with its ExternalLoads beside it
 %         (.xml). Takes a text.
 %     force: Replace existing files. Takes true or false.

@@ -997,6 +997,7 @@ def motion(
     correct: StrPath | None = None,
     vertical: bool = False,
     floor: float | None = None,
+    error: str | None = None,
     output: StrPath | None = None,
     force: bool = False,
     contacts_mass: float | None = None,
@@ -1043,6 +1044,9 @@ def motion(
         With `correct`: only forces along the normal of the floor and their centres count.
     floor : float, optional
         With `correct`: the floor is this much higher than in the model, m [default: it is found]
+    error : str, optional
+        With `correct`: usual errors of the motion's places and angles, as in 6mm,2deg [default: these]. The
+        limits of the verdict grow with the first.
     output : path, optional
         Write the model's ground reactions to this file (.sto), with its ExternalLoads beside it (.xml)
     force : bool, optional
@@ -1080,7 +1084,7 @@ def motion(
     >>> len(walk.rows)
     964
     """
-    keywords = {"plates": plates, "loads": loads, "angles": angles, "low_pass": low_pass, "plates_delay": plates_delay, "belt": belt, "belt_column": belt_column, "start": start, "end": end, "correct": correct, "vertical": vertical or None, "floor": floor, "output": output, "force": force or None, "contacts_mass": contacts_mass, "mass": mass, "exclude_body": exclude_body, "select": select, "exclude": exclude, "skip_disabled": skip_disabled or None, "geometry": geometry, "model": model}
+    keywords = {"plates": plates, "loads": loads, "angles": angles, "low_pass": low_pass, "plates_delay": plates_delay, "belt": belt, "belt_column": belt_column, "start": start, "end": end, "correct": correct, "vertical": vertical or None, "floor": floor, "error": error, "output": output, "force": force or None, "contacts_mass": contacts_mass, "mass": mass, "exclude_body": exclude_body, "select": select, "exclude": exclude, "skip_disabled": skip_disabled or None, "geometry": geometry, "model": model}
     return _run.motion(source, recording, keywords)
 
 

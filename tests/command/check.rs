@@ -192,6 +192,16 @@ const CASES_OF_SEVERAL_FILES: &[Case] = &[
         check: "model.osim --motion walk.mot --plates plates.sto",
     },
     Case {
+        code: "horizontal-error",
+        fixtures: &[
+            ("motion/walker.osim", "ice.osim"),
+            ("motion/walk.mot", "walk.mot"),
+            ("motion/plates.sto", "plates.sto"),
+        ],
+        before: "set ice.osim static_friction=0.8 dynamic_friction=0.8 -o model.osim",
+        check: "model.osim --motion walk.mot --plates plates.sto",
+    },
+    Case {
         code: "unmatched-pattern",
         fixtures: &[("check/within_limits.osim", "model.osim")],
         before: "",

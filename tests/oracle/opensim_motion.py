@@ -4,6 +4,7 @@ A motion gives each coordinate, by `joint/coordinate`, its values; speeds are gi
 that a CoordinateCouplerConstraint makes depend on another are set as its own function says.
 """
 
+import os
 from pathlib import Path
 
 import numpy as np
@@ -34,10 +35,16 @@ def analysed(model, motion, folder):
     return run_one_job("opensim_motion", ["analysed", str(model), str(motion), str(folder)])
 
 
+def inverse_dynamics(model, motion, loads, folder):
+    """Generalized forces along a motion file by OpenSim's InverseDynamicsTool, with an ExternalLoads file: lists by the names of columns."""
+    return run_one_job("opensim_motion", ["inverse_dynamics", str(model), str(motion), str(loads), str(folder)])
+
+
 def run_job(job):
     """Follows the motion in this process."""
     what, path, *rest = job
-    jobs = {"coordinates": coordinates_here, "follow": follow_here, "needed": needed_here, "analysed": analysed_here}
+    jobs = {"coordinates": coordinates_here, "follow": follow_here, "needed": needed_here, "analysed": analysed_here,
+            "inverse_dynamics": inverse_dynamics_here}
     return jobs[what](path, *rest)
 
 
@@ -63,6 +70,31 @@ def analysed_here(path, motion, folder):
     forces = opensim.TimeSeriesTable(str(found))
     upward = {label: list(forces.getDependentColumn(label).to_numpy()) for label in forces.getColumnLabels() if label.endswith("Sphere.force.Y")}
     return upward | {"time": list(forces.getIndependentColumn())}
+
+
+def inverse_dynamics_here(path, motion, loads, folder):
+    import opensim
+
+    times = opensim.Storage(motion)
+    tool = opensim.InverseDynamicsTool()
+    tool.setModelFileName(path)
+    tool.setCoordinatesFileName(motion)
+    tool.setExternalLoadsFileName(loads)
+    tool.setStartTime(times.getFirstTime())
+    tool.setEndTime(times.getLastTime())
+    excluded = opensim.ArrayStr()
+    excluded.append("ALL")
+    tool.setExcludedForces(excluded)
+    tool.setResultsDir(folder)
+    tool.setOutputGenForceFileName("needed.sto")
+    setup = str(Path(folder) / "needed.xml")
+    tool.printToXML(setup)
+    answers = os.dup(1)
+    os.dup2(2, 1)  # the tool prints about the model where the answer of this process belongs
+    opensim.InverseDynamicsTool(setup).run()
+    os.dup2(answers, 1)
+    table = opensim.TimeSeriesTable(str(Path(folder) / "needed.sto"))
+    return {label: list(table.getDependentColumn(label).to_numpy()) for label in table.getColumnLabels()}
 
 
 def opened(path):

@@ -221,7 +221,8 @@ def test_a_corrected_motion_has_the_forces_of_the_plates_in_opensim(model, motio
         command.run("add", model, "--from", "falisse2022", "-o", tmp_path / "with.osim")
         model = tmp_path / "with.osim"
     corrected = tmp_path / "corrected.sto"
-    command.run("motion", model, motion, "--plates", plates, "--loads", loads, "--correct", corrected)
+    result = command.run("motion", model, motion, "--plates", plates, "--loads", loads, "--correct", corrected).report
+    residuals_agree(model, corrected, loads, result, tmp_path)
     theirs = opensim_motion.analysed(model, corrected, tmp_path)
     times = theirs.pop("time")
     ours = {}
@@ -229,6 +230,24 @@ def test_a_corrected_motion_has_the_forces_of_the_plates_in_opensim(model, motio
         ours[row["time_s"]] = ours.get(row["time_s"], 0.0) + float(row["force_y_n"])
     assert len(ours) == len(times)
     assert np.allclose(list(ours.values()), np.sum(list(theirs.values()), axis=0), rtol=0, atol=0.5)  # N
+
+
+def residuals_agree(model, corrected, loads, result, folder):
+    """Root residuals of the correction are those of OpenSim's InverseDynamicsTool on the written files, without the contacts of the model."""
+    bare, reactions = folder / "bare.osim", folder / "reactions.sto"
+    command.run("remove", model, "-o", bare)
+    command.run("motion", model, corrected, "-o", reactions)
+    moved = corrected.with_suffix(".plates.xml")
+    weight, found = result["weight_n"], result["consistency"]["root_residual"]
+    for of, file in (("after", reactions.with_suffix(".xml")), ("with_plates", moved if moved.exists() else loads)):
+        needed = opensim_motion.inverse_dynamics(bare, corrected, file, folder)
+        inner = slice(3, result["frames"] - 3)
+        parts = {"vertical": ("_ty_",), "horizontal": ("_tx_", "_tz_"), "moment": ("_moment",)}
+        for part, names in parts.items():
+            columns = [np.array(column)[inner] for name, column in needed.items() if name.startswith("pelvis") and any(one in name for one in names)]
+            theirs = np.sqrt(sum(np.mean(column**2) for column in columns)) / weight
+            if (ours := found[part][of]) is not None:
+                assert abs(ours - theirs) < 1e-3, (part, of)
 
 
 def table(path):

@@ -123,6 +123,18 @@ fn a_treadmill_walk_is_corrected() {
         assert!(number(&found, "joint_rms_rad").to_degrees() <= 5.0, "{found}");
         assert!((found["belt_m_per_s"][0].as_f64().unwrap() + 1.15).abs() <= 0.01, "{found}");
         assert_eq!(found["verdict"], "large-correction");
+        let residual = |part: &str, which: &str| number(&found["root_residual"][part], which);
+        for (part, most) in [("vertical", 0.13), ("horizontal", 0.33), ("moment", 0.16)] {
+            assert!(
+                residual(part, "after") <= most && residual(part, "after") < residual(part, "before"),
+                "{found}"
+            );
+        }
+        assert!(residual("vertical", "with_plates") <= 0.12, "{found}");
+        for (joint, most_n_m) in [("hip", 7.0), ("knee", 5.0), ("ankle", 3.0)] {
+            let change_n_m = number(&found["joint_moment_change_nm"], joint);
+            assert!(change_n_m > 1.0 && change_n_m <= most_n_m, "{found}");
+        }
         // The written files agree with each other: the floor rests, and the plates move with the motion.
         let call =
             "motion feet.osim corrected.sto --plates corrected.plates.sto --loads corrected.plates.xml";
@@ -188,6 +200,31 @@ fn wrong_plates_are_refused_by_name() {
     }
 }
 
+/// The spheres of the left foot are 30 mm too high or too low: it is said, and the motion is written all the same.
+#[test]
+fn a_foot_that_is_off_is_said() {
+    for (up_m, words) in [(0.03, "the right foot has to go up"), (-0.03, "the left foot has to go up")] {
+        let Some(dir) = subject("one foot that is off", "smooth") else { return };
+        let moved = |sphere: &str| {
+            let (before, rest) = sphere.split_once("<location>").unwrap();
+            let (place, after) = rest.split_once("</location>").unwrap();
+            let mut place: Vec<f64> = place.split(' ').map(|number| number.parse().unwrap()).collect();
+            place[1] += up_m;
+            format!("{before}<location>{} {} {}</location>{after}", place[0], place[1], place[2])
+        };
+        let text = dir.text("feet.osim");
+        let spheres = text.split("<ContactSphere ").map(|sphere| {
+            let is_left = sphere.split('>').next().is_some_and(|name| name.ends_with("_l\""));
+            if is_left { moved(sphere) } else { sphere.to_owned() }
+        });
+        dir.write("feet.osim", spheres.collect::<Vec<String>>().join("<ContactSphere "));
+        let found = consistency(&dir, SUBJECT_CALL, "");
+        let why = found["why"].as_str().unwrap();
+        assert!(found["verdict"] == "disagree" && why.contains(words), "{why}");
+        assert!(dir.text("corrected.sto").contains("corrected to contacts"));
+    }
+}
+
 /// Without public recordings: the walker of the fixtures has a floor 11 mm too high, and contacts twice as stiff as its plates.
 #[test]
 fn the_walker_is_corrected_within_a_window() {
@@ -197,7 +234,12 @@ fn the_walker_is_corrected_within_a_window() {
     );
     let call = "motion walker.osim walk.mot --plates plates.sto --loads plates.xml";
     let run = dir.run(&format!("{call} --correct corrected.sto --start 0.5 --end 1.7")).succeeded();
-    run.says(&["contacts and plates agree", "if nothing touched", "cannot show that the stiffness is right"]);
+    run.says(&[
+        "contacts and plates agree",
+        "if nothing touched",
+        "inverse dynamics: root residual",
+        "cannot show that the stiffness is right",
+    ]);
     let text = dir.text("corrected.sto");
     assert!(text.contains("corrected to contacts of walker.osim: loaded spheres move"), "{text}");
     let times: Vec<f64> = text.lines().filter_map(|line| line.split('\t').next()?.parse().ok()).collect();
@@ -208,6 +250,11 @@ fn the_walker_is_corrected_within_a_window() {
     dir.run("motion walker.osim walk.mot --correct b.sto").usage_error().says(&["--plates"]);
     dir.run(&format!("{call} --correct corrected.txt")).says(&[".sto"]);
     dir.run(&format!("{call} --correct b.sto --start 90")).says(&["no row between"]);
+    // Larger usual errors let the motion move further, and a foot that is off is said later.
+    let large = format!("{call} --correct b.sto --error 12mm,4deg --format json");
+    assert_eq!(json_object(&dir.run(&large).succeeded())["consistency"]["verdict"], "agree");
+    dir.run(&format!("{call} --correct c.sto --error 12")).usage_error().says(&["like 6mm,2deg"]);
+    let call = call.to_owned() + " --force";
     let fixed =
         json_object(&dir.run(&format!("{call} --correct b.sto --floor -0.011 --format json")).succeeded());
     assert_eq!(fixed["consistency"]["floor_up_m"], -0.011);

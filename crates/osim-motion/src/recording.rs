@@ -142,12 +142,25 @@ impl Recording {
         let count = self.coordinates.len();
         for index in 0..count {
             let values: Vec<f64> = self.values.iter().skip(index).step_by(count).copied().collect();
-            let speeds = splined_speeds(&self.time_s, &values, &self.coordinates[index].name)?;
+            let speeds = splined(&self.time_s, &values, 1, &self.coordinates[index].name)?;
             self.set_coordinate(index, &values, &speeds);
         }
         self.has_opensim_speeds.fill(false);
         self.apply_couplers(couplers)?;
         Ok(self)
+    }
+
+    /// The accelerations of all coordinates, as OpenSim computes them from the values: those of the first frame, then of the next.
+    pub(crate) fn splined_accelerations(&self) -> Result<Vec<f64>, MotionFault> {
+        let count = self.coordinates.len();
+        let mut all = vec![0.0; self.values.len()];
+        for (index, coordinate) in self.coordinates.iter().enumerate() {
+            let values: Vec<f64> = self.values.iter().skip(index).step_by(count).copied().collect();
+            let accelerations = splined(&self.time_s, &values, 2, &coordinate.name)?;
+            let places = all.iter_mut().skip(index).step_by(count);
+            places.zip(accelerations).for_each(|(place, value)| *place = value);
+        }
+        Ok(all)
     }
 
     fn read_columns(
@@ -213,7 +226,7 @@ impl Recording {
                 table.check_finite(column)?;
                 in_si(&column.values)
             }
-            None => splined_speeds(&table.time_s, &values, &label)?,
+            None => splined(&table.time_s, &values, 1, &label)?,
         };
         self.set_coordinate(index, &values, &speeds);
         Ok(())
@@ -331,8 +344,8 @@ fn angle_unit(
     }
 }
 
-/// Derivatives of the natural quintic spline through all rows, as OpenSim's tools compute them.
-fn splined_speeds(time_s: &[f64], values: &[f64], label: &str) -> Result<Vec<f64>, MotionFault> {
+/// Derivatives of this order of the natural quintic spline through all rows, as OpenSim's tools compute them.
+fn splined(time_s: &[f64], values: &[f64], order: usize, label: &str) -> Result<Vec<f64>, MotionFault> {
     if time_s.len() < LEAST_ROWS {
         return Err(MotionFault::new(format!(
             "it has {} rows: speeds follow from a spline through at least {LEAST_ROWS}, or from columns such as /jointset/{label}/speed",
@@ -343,7 +356,7 @@ fn splined_speeds(time_s: &[f64], values: &[f64], label: &str) -> Result<Vec<f64
     let (times, points) = (time_s.to_vec(), values.to_vec());
     let spline = GcvSpline::from_data(&times, &points)
         .map_err(|_| MotionFault::new(format!("no spline goes through the values of {label}")))?;
-    Ok(spline.first_derivative(&times))
+    Ok(spline.derivative(&times, order))
 }
 
 // The low-pass filter of movement analysis.

@@ -3,8 +3,8 @@
 use osim_model::messages::{Input, Phrase, phrase};
 use osim_model::{DVec3, Model};
 use osim_motion::correct::{
-    Correction, CorrectionFigures, CorrectionOptions, FootErrors, ForceErrors, Mismatch, MotionVerdict,
-    correct, mismatches,
+    Correction, CorrectionFigures, CorrectionOptions, FootErrors, ForceErrors, InverseDynamics, Mismatch,
+    MotionVerdict, RootResidual, correct, mismatches,
 };
 use osim_motion::{Belt, ContactStates, Foot, MeasuredForces, Recording};
 use osim_requests::{MotionRequest, Signed};
@@ -43,12 +43,11 @@ pub(crate) fn correction_options(
     belt: Option<Belt>,
     standing_m_s: DVec3,
 ) -> CorrectionOptions {
-    CorrectionOptions {
-        vertical_only: request.vertical,
-        standing_m_s,
-        belt,
-        floor_up_m: request.floor.map(Signed::get),
-    }
+    let usual = CorrectionOptions::default();
+    let (length_m, angle_rad) =
+        request.error.map_or((usual.length_m, usual.angle_rad), |error| (error.length_m, error.angle_rad()));
+    let floor_up_m = request.floor.map(Signed::get);
+    CorrectionOptions { vertical_only: request.vertical, standing_m_s, belt, floor_up_m, length_m, angle_rad }
 }
 
 impl Consistency {
@@ -73,7 +72,7 @@ impl Consistency {
         }
         let correction = correct(model, recording, (states, feet), measured, weight_n, options)
             .map_err(|fault| fault.to_string())?;
-        let (verdict, causes) = correction.figures.verdict(seen);
+        let (verdict, causes) = correction.figures.verdict(seen, options);
         let why = sentence(verdict, &causes, feet, &correction);
         let mut remarks = vec![MotionRemark { code: verdict.as_str(), message: why.clone() }];
         let corrected = || MotionRemark { code: "corrected", message: CORRECTED_ALREADY.into() };
@@ -167,7 +166,7 @@ pub(crate) fn horizontal_error(figures: &CorrectionFigures) -> Option<Phrase> {
 }
 
 /// The figures of a correction in sentences.
-fn figures_in_words(correction: &Correction) -> [String; 3] {
+fn figures_in_words(correction: &Correction) -> [String; 4] {
     let figures = &correction.figures;
     let errors = |of: fn(&ForceErrors) -> f64| {
         let worst =
@@ -181,11 +180,28 @@ fn figures_in_words(correction: &Correction) -> [String; 3] {
     let force = format!("vertical {vertical}, horizontal {across}{}", centre.unwrap_or_default());
     let apart = millimetres(figures.difference_of_feet_m().unwrap_or(0.0));
     let depth = two_digits(figures.largest_relative_indentation);
-    let belt = two_digits(correction.belt_m_s.length());
+    let belt_m_s = correction.belt_m_s.length();
+    let belt = if belt_m_s > 0.0 { format!("; the belt moves at {belt_m_s:.2} m/s") } else { String::new() };
     let apart = format!("left and right are lifted alike within {apart}; spheres are at most {depth} R deep");
     [
         format!("force, error of the worst foot in body weights (rms): {force}"),
-        format!("{apart}; the belt moves at {belt} m/s"),
+        apart + &belt,
+        dynamics_in_words(&correction.dynamics),
         "this cannot show that the stiffness is right: stiffer contacts agree as well".to_owned(),
     ]
+}
+
+fn dynamics_in_words(dynamics: &InverseDynamics) -> String {
+    // Less than a thousandth is nothing.
+    let digits = |value: f64| two_digits((1e3 * value).round() / 1e3);
+    let residual = |one: RootResidual| format!("{}, {}", digits(one.vertical_bw), digits(one.horizontal_bw));
+    let [after, before, plates] = [dynamics.after, dynamics.before, dynamics.with_plates].map(residual);
+    let names = ["hip", "knee", "ankle"].into_iter().zip(dynamics.moment_changes_n_m);
+    let known = names.filter_map(|(name, change)| Some((name, two_digits(change?))));
+    let (names, changes): (Vec<&str>, Vec<String>) = known.unzip();
+    let (names, changes) = (names.join(", "), changes.join(", "));
+    let moments = format!("; moments of {names} change by {changes} N m (rms)");
+    let moments = if names.is_empty() { String::new() } else { moments };
+    let text = "inverse dynamics: root residual, vertical and horizontal,";
+    format!("{text} {after} body weights ({before} before; {plates} with the plates){moments}")
 }

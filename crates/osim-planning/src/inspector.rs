@@ -230,7 +230,8 @@ impl Inspector {
             .with_tried_remedies(model, result);
         result.similarity = similarity;
         if let Some(motion) = &self.motion {
-            result.add_recording(motion.answer(&name.to_path(), files));
+            let (answer, remark) = motion.answer(&name.to_path(), files);
+            result.add_recording(answer, remark);
         }
         result
     }

@@ -236,30 +236,24 @@ impl CheckedMotion {
     }
 
     /// Whether the contacts of the model at `path` fit the recording: a sentence if they fit, a finding if not, or the reason why it is not
-    /// known.
-    pub(crate) fn answer(&self, path: &Path, files: &dyn Files) -> Result<Result<Phrase, Finding>, Phrase> {
-        match self.follow(path, files) {
-            Ok((result, _)) => judge_fit(&result),
+    /// known. With it a finding about horizontal forces, if there is one.
+    pub(crate) fn answer(&self, path: &Path, files: &dyn Files) -> RecordingAnswer {
+        let judged = match self.follow(path, files) {
+            Ok((result, _)) if result.is_corrected => Err(CORRECTED_ALREADY.into()),
+            Ok((result, _)) => result.judge(&MotionRequest::default()).map_err(Phrase::from),
             Err(RequestError::Failure(failure)) => {
                 Err(phrase![failure.model.to_string(), ": ", &failure.message])
             }
             Err(RequestError::Fault(fault)) => Err(fault.phrase()),
-        }
+        };
+        let correction = judged.as_ref().ok().and_then(|judged| judged.correction.as_ref());
+        let remark = correction.and_then(|one| horizontal_error(&one.figures)).map(rules::horizontal_error);
+        let answer = judged.map(|judged| match judged.verdict {
+            MotionVerdict::Agree => Ok(judged.why),
+            verdict => Err(rules::unlike_recording(verdict == MotionVerdict::LargeCorrection, judged.why)),
+        });
+        (answer, remark)
     }
 }
 
-fn judge_fit(result: &MotionResult) -> Result<Result<Phrase, Finding>, Phrase> {
-    if result.is_corrected {
-        return Err(CORRECTED_ALREADY.into());
-    }
-    let judged = result.judge(&MotionRequest::default())?;
-    let mut why = judged.why;
-    if let Some(worse) = judged.correction.as_ref().and_then(|one| horizontal_error(&one.figures)) {
-        why.push("; ");
-        why.push(&worse);
-    }
-    Ok(match judged.verdict {
-        MotionVerdict::Agree => Ok(why),
-        verdict => Err(rules::unlike_recording(verdict == MotionVerdict::LargeCorrection, why)),
-    })
-}
+type RecordingAnswer = (Result<Result<Phrase, Finding>, Phrase>, Option<Finding>);

@@ -24,6 +24,7 @@ const RULES: &[&Rule] = &[
     &ODD_MESH,
     &UNLIKE_RECORDING,
     &LARGE_CORRECTION,
+    &HORIZONTAL_ERROR,
 ];
 
 /// All rules of all crates: one rule for each code.
@@ -238,6 +239,20 @@ rule! { LARGE_CORRECTION: LargeCorrection, Remark, Recording;
     repair: Repair::NotPossible("the recording is as it is"),
     example: Example::Request { good: r#"{"verb": "check", "models": ["motion/walker.osim"]}"#,
         bad: r#"{"verb": "check", "models": ["motion/walker.osim"], "motion": "motion/pitched.mot", "plates": "motion/plates.sto"}"# },
+}
+
+rule! { HORIZONTAL_ERROR: HorizontalError, Remark;
+    what: "After the correction, a foot's horizontal force is further from the plates than if nothing touched.",
+    why: "Friction follows the slip of the spheres, and small jumps of a motion that was not smoothed are slip. The verdict on the recording is made of the vertical force and of the size of the correction.",
+    advice: "Smooth the motion: `motion MODEL low_pass=10 correct=FILE`, with the motion and its plates",
+    repair: Repair::NotPossible("the recording is as it is"),
+    example: Example::InWords { good: "The motion was smoothed with a cutoff of 10 Hz",
+        bad: "The motion is that of inverse kinematics, and markers jump from frame to frame" },
+}
+
+/// The finding that horizontal forces are further from the plates than without contacts; `text` is its message.
+pub(crate) fn horizontal_error(text: Phrase) -> Finding {
+    Finding::new(&HORIZONTAL_ERROR, text)
 }
 
 /// The finding that contacts, motion and plates do not agree, or after a large correction only; `text` is its message.

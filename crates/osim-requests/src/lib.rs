@@ -38,7 +38,7 @@ pub use crate::values::{
     Acceleration, Assignments, Axis, AxisName, BodyMap, BodyScale, ConstantIndentation, ContactOnset, Count,
     Dpi, DropHeight, FigureWidth, FontSize, Grid, GridValue, Jobs, Kilograms, Metres, NewRadius, NotNegative,
     PoissonRatio, Positive, Radius, RelativeIndentation, RestitutionCoefficient, Samples, Shard, Signed,
-    Span, SpheresOfFoot, Steps, Threshold, assignment,
+    Span, SpheresOfFoot, Steps, Threshold, UsualErrors, assignment,
 };
 
 /// The example of the README, which must compile.

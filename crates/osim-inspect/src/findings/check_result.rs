@@ -132,20 +132,25 @@ impl CheckResult {
 
     /// Adds the result of comparing the contacts with a recording: a sentence if they fit, a finding if they do not, or the reason why it
     /// is not known.
-    pub fn add_recording(&mut self, answer: Result<Result<Phrase, Finding>, Phrase>) {
+    pub fn add_recording(
+        &mut self,
+        answer: Result<Result<Phrase, Finding>, Phrase>,
+        remark: Option<Finding>,
+    ) {
         let verdict = match answer {
             Ok(Err(finding)) => {
                 let finding = FindingWithRemedy::from(finding);
                 let verdict = Verdict::from_findings(VerdictTopic::Recording, &finding, &[]);
                 self.findings.push(finding);
-                self.findings = sort_findings(std::mem::take(&mut self.findings));
-                self.counts = Counts::of(&self.findings);
                 verdict
             }
             Ok(Ok(right)) => Verdict::without_findings(VerdictTopic::Recording, Ok(right)),
             Err(why) => Verdict::without_findings(VerdictTopic::Recording, Err(why)),
         };
         self.verdicts.push(verdict);
+        self.findings.extend(remark.map(FindingWithRemedy::from));
+        self.findings = sort_findings(std::mem::take(&mut self.findings));
+        self.counts = Counts::of(&self.findings);
     }
 
     /// Makes each remedy a step. Nobody tried whether the steps work one after the other.

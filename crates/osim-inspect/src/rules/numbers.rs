@@ -28,8 +28,8 @@ rule! { pub(super) MASSLESS_BODY: MasslessBody, Warning, Mass;
 pub(super) fn find_massless_body(model: &Model) -> Vec<Finding> {
     let shapes = model.body_shapes();
     let has_inertia = |name: &str| {
-        let trace = shapes.get(name).and_then(|shape| shape.inertia_trace);
-        trace.is_some_and(|trace| trace > INERTIA_OF_MASSLESS_FRAME)
+        let inertia = shapes.get(name).and_then(|shape| shape.inertia_kg_m2);
+        inertia.is_some_and(|[xx, yy, zz, ..]| xx + yy + zz > INERTIA_OF_MASSLESS_FRAME)
     };
     let massless: Vec<&Body> = model
         .bodies()

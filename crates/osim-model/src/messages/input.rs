@@ -73,6 +73,7 @@ inputs! {
     Duration = "duration", "duration";
     DynamicFriction = "dynamic_friction", "dynamic friction";
     End = "end", "end of the motion's window";
+    Error = "error", "usual errors of the motion";
     Exclude = "exclude", "forces to leave out";
     ExcludeBody = "exclude_body", "bodies to leave out of the sum";
     Feet = "feet", "bodies that touch the ground";

@@ -128,8 +128,9 @@ pub struct BodyShape {
     /// The root mean square distance of the body's mass from its centre of mass, m: √(½ trace(I)/m). `None` if mass or inertia is not above
     /// 0.
     pub gyration_m: Option<f64>,
-    /// The trace of the inertia, Ixx + Iyy + Izz, kg m²; `None` if it cannot be read.
-    pub inertia_trace: Option<f64>,
+    /// The inertia about the centre of mass, kg m²: Ixx, Iyy, Izz, and Ixy, Ixz, Iyz, which are 0 where the file has none; `None` if it
+    /// cannot be read.
+    pub inertia_kg_m2: Option<[f64; 6]>,
     /// The places of the body's joints, including joints to ground, m.
     pub joints_m: Vec<DVec3>,
 }
@@ -159,26 +160,34 @@ impl BodyShape {
 
 fn shape_of(components: &Components, body: ComponentId) -> BodyShape {
     let centre_m = components.doc(body).triple(components.element(body), "mass_center");
-    let inertia_trace = inertia_trace(components, body);
+    let inertia_kg_m2 = inertia_kg_m2(components, body);
     let gyration_m = number_of_element(components, body, "mass")
-        .zip(inertia_trace)
-        .map(|(mass, trace)| (trace / 2.0 / mass).sqrt());
+        .zip(inertia_kg_m2)
+        .map(|(mass, [xx, yy, zz, ..])| ((xx + yy + zz) / 2.0 / mass).sqrt());
     let gyration_m = gyration_m.filter(|radius| radius.is_finite() && *radius > 0.0);
     BodyShape {
         centre_m: centre_m.unwrap_or_default().into(),
         gyration_m,
-        inertia_trace,
+        inertia_kg_m2,
         joints_m: Vec::new(),
     }
 }
 
-/// Ixx + Iyy + Izz of a body, kg m². Documents before version 4 have these in separate elements.
-pub(crate) fn inertia_trace(components: &Components, body: ComponentId) -> Option<f64> {
-    let moments = match numbers_of_element(components, body, "inertia").as_deref() {
-        Some([xx, yy, zz, ..]) => [Some(*xx), Some(*yy), Some(*zz)],
-        _ => ["inertia_xx", "inertia_yy", "inertia_zz"].map(|tag| number_of_element(components, body, tag)),
+/// The inertia of a body as [`BodyShape`] has it. Documents before version 4 have its numbers in separate elements.
+fn inertia_kg_m2(components: &Components, body: ComponentId) -> Option<[f64; 6]> {
+    let numbers = numbers_of_element(components, body, "inertia").filter(|numbers| numbers.len() >= 3);
+    let number = |(place, tag): (usize, &str)| match &numbers {
+        Some(numbers) => numbers.get(place).copied(),
+        None => number_of_element(components, body, tag),
     };
-    moments.into_iter().sum()
+    let [xx, yy, zz] = [(0, "inertia_xx"), (1, "inertia_yy"), (2, "inertia_zz")].map(number);
+    let [xy, xz, yz] = [(3, "inertia_xy"), (4, "inertia_xz"), (5, "inertia_yz")].map(number);
+    Some([xx?, yy?, zz?, xy.unwrap_or(0.0), xz.unwrap_or(0.0), yz.unwrap_or(0.0)])
+}
+
+/// Ixx + Iyy + Izz of a body, kg m².
+pub(crate) fn inertia_trace(components: &Components, body: ComponentId) -> Option<f64> {
+    inertia_kg_m2(components, body).map(|[xx, yy, zz, ..]| xx + yy + zz)
 }
 
 fn number_of_element(components: &Components, body: ComponentId, tag: &str) -> Option<f64> {

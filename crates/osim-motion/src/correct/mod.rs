@@ -4,6 +4,7 @@
 //! coordinate that moves the spheres of one foot. Contacts are soft at first, so that spheres above the floor feel it. After that,
 //! the contacts are read again along the corrected motion.
 
+mod dynamics;
 mod figures;
 mod flat_feet;
 mod passes;
@@ -13,6 +14,7 @@ mod solve;
 mod unknowns;
 mod verdict;
 
+pub use dynamics::{InverseDynamics, RootResidual};
 pub use figures::{CorrectionFigures, FootErrors, ForceErrors};
 pub use flat_feet::flat_feet;
 pub use passes::{Correction, CorrectionError, correct};

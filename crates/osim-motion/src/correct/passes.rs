@@ -3,9 +3,10 @@
 use osim_model::feet::Couplers;
 use osim_model::{DVec3, Model};
 
+use super::dynamics::{InverseDynamics, Masses};
 use super::figures::CorrectionFigures;
 use super::residuals::{CorrectionInputs, FootGoals, PlateGoal, Stage, StageProblem, minimise};
-use super::slopes::{CentreOfMass, FootSlopes};
+use super::slopes::FootSlopes;
 use super::solve::CONSTANTS;
 use super::unknowns::{CorrectionOptions, SplineBasis, find_coordinates, knot_distance_s};
 use crate::{
@@ -27,6 +28,7 @@ pub struct Correction {
     /// The way of the belt since the first frame, m; the plates' points move back by it.
     pub belt_way_m: Vec<DVec3>,
     pub figures: CorrectionFigures,
+    pub dynamics: InverseDynamics,
 }
 
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -133,11 +135,11 @@ pub fn correct(
         Some(up_m) => unmoved.changed(&couplers, |_, values, _| values[root] -= up_m)?,
         None => unmoved.clone(),
     };
-    let centre = CentreOfMass::new(model)?;
+    let masses = Masses::new(model)?;
     let setting = CorrectionInputs {
         basis: SplineBasis::new(&original.time_s, knots_s),
-        centre_of_mass: centre.slopes(&original, &couplers, &found.corrected)?,
-        coordinates: found.corrected,
+        centre_of_mass: masses.centre_slopes(&original, &couplers, &found.corrected)?,
+        coordinates: found.corrected.clone(),
         feet: goals,
         level,
         weight_n,
@@ -161,6 +163,9 @@ pub fn correct(
         (normal, on_floor_m),
         (&unknowns, floor_up_m),
     );
+    let motions = [(&unmoved, &before), (&in_place, &after)];
+    let dynamics =
+        InverseDynamics::compare(&masses, &search.couplers, motions, (feet, measured), &found, weight_n)?;
     let way_m = belt.way_m(&in_place.time_s);
     let follow = |way: DVec3| found.level.iter().map(|(_, along)| way.dot(*along) * *along).sum::<DVec3>();
     let belt_m_s = way_m.last().copied().unwrap_or_default() / time_s;
@@ -171,7 +176,7 @@ pub fn correct(
         found.level.iter().for_each(|(index, along)| values[*index] -= way_m[frame].dot(*along));
     })?;
     let root_height = recording.coordinates[root].name.clone();
-    Ok(Correction { recording, root_height, floor_up_m, belt_m_s, belt_way_m: way_m, figures })
+    Ok(Correction { recording, root_height, floor_up_m, belt_m_s, belt_way_m: way_m, figures, dynamics })
 }
 
 struct Search<'s> {
@@ -304,12 +309,7 @@ mod tests {
         };
         for up_m in [0.0, 0.02, -0.01] {
             let (recording, states) = bounces(&model, up_m).unwrap();
-            let options = CorrectionOptions {
-                vertical_only: false,
-                standing_m_s: DVec3::ZERO,
-                belt: None,
-                floor_up_m: None,
-            };
+            let options = CorrectionOptions::default();
             let found = correct(&model, &recording, (&states, &feet), &measured, weight_n, &options).unwrap();
             let figures = &found.figures;
             assert!((found.floor_up_m - up_m).abs() < 3e-4, "{found:?}");

@@ -4,7 +4,7 @@ use osim_model::DVec3;
 
 use super::slopes::{FootSlopes, SphereState};
 use super::solve::{CONSTANTS, NormalEquations, dot};
-use super::unknowns::{CorrectedCoordinate, CorrectionOptions, SplineBasis, USUAL_LENGTH_ERROR_M};
+use super::unknowns::{CorrectedCoordinate, CorrectionOptions, SplineBasis};
 use crate::ContactPair;
 
 /// An error of force that counts as much as a usual correction, body weights.
@@ -219,11 +219,11 @@ fn correction_sizes(setting: &CorrectionInputs<'_>, slopes: &[FootSlopes]) -> No
     };
     for frame in 0..basis.first.len() {
         for (number, coordinate) in coordinates.iter().enumerate() {
-            add(frame, 0, &[(number, 1.0 / coordinate.usual())]);
+            add(frame, 0, &[(number, 1.0 / coordinate.usual(&setting.options))]);
         }
         for (foot, along) in setting.feet.iter().zip(slopes) {
             let spheres = foot.pairs.len();
-            let unit = (COUNTED_SPHERES / spheres as f64).sqrt() / USUAL_LENGTH_ERROR_M;
+            let unit = (COUNTED_SPHERES / spheres as f64).sqrt() / setting.options.length_m;
             for sphere in frame * spheres..(frame + 1) * spheres {
                 for axis in 0..3 {
                     let moves = along.slopes_of(sphere).iter().map(|by| by[0][4 + axis] * unit);

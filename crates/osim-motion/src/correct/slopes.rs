@@ -1,12 +1,9 @@
 //! The contacts along a motion, and how they change with the corrected coordinates.
 
-use std::collections::HashSet;
-
 use osim_model::feet::Couplers;
 use osim_model::{DVec3, Model};
 
 use super::unknowns::CorrectedCoordinate;
-use crate::joint_paths::JointPaths;
 use crate::{Belt, ContactState, ContactStates, Foot, Recording, StatesError};
 
 /// Indentation (m), its rate (m/s), and the slip velocity along the two level directions (m/s) of a sphere.
@@ -33,7 +30,7 @@ pub(super) struct FootSlopes {
 }
 
 /// The change of a value by which slopes are computed, rad or m.
-const SLOPE_STEP: f64 = 1e-6;
+pub(super) const SLOPE_STEP: f64 = 1e-6;
 
 impl FootSlopes {
     /// Reads the contacts of all `feet` along `recording`, whose speeds are derivatives of its values.
@@ -109,59 +106,5 @@ impl FootSlopes {
         }
         let [floor_m, along, across] = constants;
         [state[0] + floor_m, state[1], state[2] - along, state[3] - across]
-    }
-}
-
-/// The bodies whose place is known, with their masses.
-pub(super) struct CentreOfMass<'m> {
-    paths: JointPaths<'m>,
-    /// Index of the body in `paths`, its share of the mass, and its centre in its frame, m.
-    bodies: Vec<(usize, f64, DVec3)>,
-}
-
-impl<'m> CentreOfMass<'m> {
-    pub(super) fn new(model: &'m Model) -> Result<Self, StatesError> {
-        let all = || model.bodies().iter().filter(|body| !body.excluded_from_mass);
-        let names: HashSet<&str> = all().map(|body| body.name.as_str()).collect();
-        let paths = JointPaths::of(model, &names)?;
-        let mut bodies: Vec<_> = Vec::new();
-        for body in all() {
-            let Some(index) = paths.body(&body.name) else { continue };
-            bodies.push((index, body.mass_kg()?, body.centre_of_mass_m));
-        }
-        let total: f64 = bodies.iter().map(|(_, mass, _)| mass).sum();
-        bodies.iter_mut().for_each(|(_, mass, _)| *mass /= total);
-        Ok(Self { paths, bodies })
-    }
-
-    /// The centre of mass in each frame, m.
-    pub(super) fn along(&self, recording: &Recording) -> Vec<DVec3> {
-        let mut places = Vec::new();
-        let mut in_frame = |frame| {
-            let (values, speeds) = (recording.values(frame), recording.speeds(frame));
-            self.paths.place_bodies(values, speeds, &recording.has_opensim_speeds, &mut places);
-            let bodies =
-                self.bodies.iter().filter_map(|(index, share, at)| Some((places.get(*index)?, share, at)));
-            bodies.map(|(moving, share, at)| *share * moving.at.point(*at)).sum::<DVec3>()
-        };
-        (0..recording.frames()).map(&mut in_frame).collect()
-    }
-
-    /// Its move with each coordinate (per rad or m): all coordinates in the first frame, then in the next.
-    pub(super) fn slopes(
-        &self,
-        recording: &Recording,
-        couplers: &Couplers,
-        coordinates: &[CorrectedCoordinate],
-    ) -> Result<Vec<DVec3>, StatesError> {
-        let at = self.along(recording);
-        let mut slopes = vec![DVec3::ZERO; recording.frames() * coordinates.len()];
-        for (number, coordinate) in coordinates.iter().enumerate() {
-            let moved = recording.changed(couplers, |_, values, _| values[coordinate.index] += SLOPE_STEP)?;
-            for (frame, (after, before)) in self.along(&moved).iter().zip(&at).enumerate() {
-                slopes[frame * coordinates.len() + number] = (*after - *before) / SLOPE_STEP;
-            }
-        }
-        Ok(slopes)
     }
 }

@@ -16,12 +16,25 @@ pub struct CorrectionOptions {
     pub belt: Option<Belt>,
     /// How much higher the floor is than in the model, m; `None` if it is found.
     pub floor_up_m: Option<f64>,
+    /// A usual error of the places of spheres and of the root's height, m.
+    pub length_m: f64,
+    /// A usual error of joint angles, rad; 2.5 times as much for toes.
+    pub angle_rad: f64,
 }
 
-/// A usual error of the places of spheres and of the root's height, m.
-pub(super) const USUAL_LENGTH_ERROR_M: f64 = 0.006;
-/// A usual error of joint angles, rad (2 degrees); 2.5 times as much for toes.
-const USUAL_ANGLE_ERROR_RAD: f64 = std::f64::consts::PI / 90.0;
+impl Default for CorrectionOptions {
+    /// Errors of 6 mm and 2 degrees, on a floor at rest.
+    fn default() -> Self {
+        Self {
+            vertical_only: false,
+            standing_m_s: DVec3::ZERO,
+            belt: None,
+            floor_up_m: None,
+            length_m: 0.006,
+            angle_rad: std::f64::consts::PI / 90.0,
+        }
+    }
+}
 
 /// A coordinate that the correction changes.
 #[derive(Debug, Clone, PartialEq)]
@@ -108,11 +121,11 @@ fn is_frontal_knee(name: &str) -> bool {
 
 impl CorrectedCoordinate {
     /// The size of a usual correction, rad or m.
-    pub(super) fn usual(&self) -> f64 {
+    pub(super) fn usual(&self, options: &CorrectionOptions) -> f64 {
         match self.kind {
-            CoordinateKind::Translational => USUAL_LENGTH_ERROR_M,
-            _ if self.moves_toes => 2.5 * USUAL_ANGLE_ERROR_RAD,
-            _ => USUAL_ANGLE_ERROR_RAD,
+            CoordinateKind::Translational => options.length_m,
+            _ if self.moves_toes => 2.5 * options.angle_rad,
+            _ => options.angle_rad,
         }
     }
 }

@@ -3,9 +3,9 @@
 use gcv_spline::GcvSpline;
 use osim_model::{DVec3, Model};
 
+use super::dynamics::Masses;
 use super::figures::{CorrectionFigures, FootErrors};
-use super::slopes::CentreOfMass;
-use super::unknowns::USUAL_LENGTH_ERROR_M;
+use super::unknowns::CorrectionOptions;
 use crate::comparison::percentile;
 use crate::{
     CentreOfPressure, ContactStates, Foot, MeasuredForces, Recording, StatesError, TOUCH_DOWN_BW, Wrench,
@@ -118,7 +118,7 @@ pub fn mismatches(
         }
     }
     if found.is_empty() {
-        let heights = CentreOfMass::new(model)?.along(recording);
+        let heights = Masses::new(model)?.centre_along(recording);
         let heights: Vec<f64> = heights.iter().map(|at| at.dot(normal)).collect();
         let spline = GcvSpline::from_data(&recording.time_s, &heights).ok();
         let inertia = spline.map(|spline| spline.derivative(&recording.time_s, 2));
@@ -201,14 +201,18 @@ impl CorrectionFigures {
     }
 
     /// The verdict, with what is wrong: what was seen `before`, and one foot that is off.
-    pub fn verdict(&self, before: Vec<Mismatch>) -> (MotionVerdict, Vec<Mismatch>) {
+    pub fn verdict(
+        &self,
+        before: Vec<Mismatch>,
+        options: &CorrectionOptions,
+    ) -> (MotionVerdict, Vec<Mismatch>) {
         let mut causes = before;
         let apart_m = self
             .difference_of_feet_m()
-            .filter(|apart_m| apart_m.abs() > MOST_DIFFERENCE_OF_FEET * USUAL_LENGTH_ERROR_M);
+            .filter(|apart_m| apart_m.abs() > MOST_DIFFERENCE_OF_FEET * options.length_m);
         causes.extend(apart_m.map(|apart_m| Mismatch::OneFoot { apart_m }));
         let agrees = self.worst(|foot| foot.after.vertical_bw) <= MOST_VERTICAL_BW
-            && self.lift_p95_m <= MOST_LIFT * USUAL_LENGTH_ERROR_M;
+            && self.lift_p95_m <= MOST_LIFT * options.length_m;
         let verdict = match (causes.is_empty(), agrees) {
             (false, _) => MotionVerdict::Disagree,
             (true, true) => MotionVerdict::Agree,

@@ -188,6 +188,8 @@ pub(super) fn entry_of(field: Field<'_>, verb: Verb) -> Option<Entry> {
         Floor = value("M").signed().rare(), "With `correct`: the floor is this much higher than in the model, m [default: it is found]";
         Moco = folder().rare(), "With `correct`: write what Moco needs to track the corrected motion and the plates into this folder";
         Nmsm = folder().rare(), "With `correct`: write what NMSM's ground contact personalisation reads into this folder, not corrected";
+        Error = value("MM,DEG").rare(), "With `correct`: usual errors of the motion's places and angles, as in 6mm,2deg [default: these]. \
+                                         The limits of the verdict grow with the first";
         Kind = choice(PlotKind::WORDS), "What to draw";
         Data = written("FILE").about(FieldGroup::Output), "Write the numbers that are drawn to this file, too (CSV)";
         Axes = choice(AxesChoice::WORDS), "Units of indentation and force [default: x/R and N; x/R and shares of the weight for several]";

@@ -7,7 +7,9 @@ use crate::options::{
     OutputOptions, ReportOptions, RunOptions, SetFiles, SheetFormat,
 };
 use crate::values::serial::{choices, fields};
-use crate::values::{Acceleration, Count, DropHeight, Kilograms, Positive, Samples, Signed, path};
+use crate::values::{
+    Acceleration, Count, DropHeight, Kilograms, Positive, Samples, Signed, UsualErrors, path,
+};
 
 fields! {
     /// Shows what contacts models have.
@@ -79,6 +81,7 @@ fields! {
         floor: Option<Signed>,
         moco: Option<PathBuf> as "path::Optional",
         nmsm: Option<PathBuf> as "path::Optional",
+        error: Option<UsualErrors>,
         output: Option<PathBuf> as "path::Optional",
         force: bool,
         format: MotionFormat,
@@ -88,7 +91,7 @@ fields! {
     } where
         Required("subject"), Required("motion"), Needs("loads", "plates"), Excludes("belt", "belt_column"),
         Needs("correct", "plates"), Needs("plates_delay", "plates"), Needs("vertical", "correct"), Needs("floor", "correct"),
-        Needs("moco", "correct"), Needs("nmsm", "correct");
+        Needs("moco", "correct"), Needs("nmsm", "correct"), Needs("error", "correct");
 
     /// Lets a model fall on its contacts and shows what they do.
     struct DropTestRequest {

@@ -8,7 +8,7 @@ use osim_model::RadiusRule;
 use osim_model::messages::{readable, shortest};
 
 use crate::values::serial::values_as_text;
-use crate::values::typed_numbers::{LENGTH_UNITS, factor, not_negative, positive, trimmed};
+use crate::values::typed_numbers::{LENGTH_UNITS, factor, not_negative, plain_number, positive, trimmed};
 
 /// `isometric`, `keep`, metres, or a factor such as `x1.5`.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -191,7 +191,42 @@ impl fmt::Display for ContactOnset {
     }
 }
 
+/// Usual errors of a motion: of places (m), and of angles (degrees), typed as `6mm,2deg`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct UsualErrors {
+    pub length_m: f64,
+    angle_deg: f64,
+}
+
+impl UsualErrors {
+    pub fn angle_rad(self) -> f64 {
+        self.angle_deg.to_radians()
+    }
+}
+
+impl FromStr for UsualErrors {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let number = |part: &str, unit: &str| {
+            let value = plain_number(trimmed(trimmed(part).strip_suffix(unit)?))?;
+            Some(value).filter(|value| *value > 0.0 && value.is_finite())
+        };
+        let both = text.split_once(',');
+        both.and_then(|(length, angle)| Some((number(length, "mm")?, number(angle, "deg")?)))
+            .map(|(length_mm, angle_deg)| Self { length_m: length_mm / 1e3, angle_deg })
+            .ok_or_else(|| "expected a length in mm and an angle in degrees, like 6mm,2deg".to_owned())
+    }
+}
+
+impl fmt::Display for UsualErrors {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}mm,{}deg", readable(1e3 * self.length_m), shortest(self.angle_deg))
+    }
+}
+
 values_as_text! {
+    UsualErrors = {"type": "string", "pattern": "^[0-9.eE+-]+mm,[0-9.eE+-]+deg$"};
     Radius = {
         "description": "`isometric`, `keep`, metres, or a factor such as `x1.5`.",
         "anyOf": [
@@ -213,6 +248,15 @@ values_as_text! {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn usual_errors_have_their_units() {
+        let errors: UsualErrors = "6mm, 2.5deg".parse().unwrap();
+        assert_eq!((errors.length_m, errors.to_string().as_str()), (0.006, "6mm,2.5deg"));
+        for text in ["6mm", "6,2", "0.006,2deg", "0mm,2deg", "6cm,2deg"] {
+            assert!(text.parse::<UsualErrors>().unwrap_err().contains("like 6mm,2deg"), "{text}");
+        }
+    }
 
     #[test]
     fn a_radius_is_a_word_metres_or_a_factor() {

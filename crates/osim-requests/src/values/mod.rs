@@ -17,7 +17,7 @@ pub mod typed_numbers;
 pub use assignment::{Assignments, assignment};
 pub use bodies::{BodyMap, BodyScale};
 pub use grid::{Axis, AxisName, Grid, GridValue, Span};
-pub use lengths::{ContactOnset, DropHeight, NewRadius, Radius};
+pub use lengths::{ContactOnset, DropHeight, NewRadius, Radius, UsualErrors};
 pub use quantity::{
     Acceleration, ConstantIndentation, Count, Dpi, FigureWidth, FontSize, Jobs, Kilograms, Metres,
     NotNegative, PoissonRatio, Positive, RelativeIndentation, RestitutionCoefficient, Samples, Signed,

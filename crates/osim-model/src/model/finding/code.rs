@@ -129,6 +129,7 @@ codes! {
     DissipationForms = "dissipation-forms",
     UnlikeRecording = "unlike-recording",
     LargeCorrection = "large-correction",
+    HorizontalError = "horizontal-error",
     OddGravity = "odd-gravity",
     NoFriction = "no-friction",
     NoDissipation = "no-dissipation",

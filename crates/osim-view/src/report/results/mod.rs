@@ -11,10 +11,10 @@ pub use drop::{DropDifferenceRecord, DropRecord, DropSeriesRecord, drop_chart, d
 pub use fit::{EstimateRecord, FitRecord, FitWarningRecord, ResidualsRecord, fit_text};
 pub(crate) use motion::motion_feet;
 pub use motion::{
-    ConsistencyRecord, CorrectedErrorRecord, MotionCells, MotionColumn, MotionComparisonRecord,
-    MotionFootRecord, MotionRecord, MotionRemarkRecord, MotionSphereRecord, MotionStanceRecord,
-    MotionTouchDownRecord, corrected_files, external_loads_xml, ground_reactions_sto, motion_columns,
-    motion_csv, motion_text,
+    ConsistencyRecord, CorrectedErrorRecord, JointMomentsRecord, MotionCells, MotionColumn,
+    MotionComparisonRecord, MotionFootRecord, MotionRecord, MotionRemarkRecord, MotionSphereRecord,
+    MotionStanceRecord, MotionTouchDownRecord, ResidualRecord, RootResidualRecord, corrected_files,
+    external_loads_xml, ground_reactions_sto, motion_columns, motion_csv, motion_text,
 };
 pub use next_step::{MOCO_FILES, NMSM_FILES, moco_files, nmsm_files};
 pub use preset::{PresetRecord, SweepRecord, design_sheet_text, preset_text};

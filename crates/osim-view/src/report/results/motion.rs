@@ -14,8 +14,9 @@ use osim_planning::{MotionRemark, MotionResult};
 
 use crate::report::layout::{WIDTH, table, wrapped};
 pub use crate::report::results::motion_record::{
-    ConsistencyRecord, CorrectedErrorRecord, MotionComparisonRecord, MotionFootRecord, MotionRecord,
-    MotionRemarkRecord, MotionSphereRecord, MotionStanceRecord, MotionTouchDownRecord,
+    ConsistencyRecord, CorrectedErrorRecord, JointMomentsRecord, MotionComparisonRecord, MotionFootRecord,
+    MotionRecord, MotionRemarkRecord, MotionSphereRecord, MotionStanceRecord, MotionTouchDownRecord,
+    ResidualRecord, RootResidualRecord,
 };
 
 // A motion in words, with figures of each foot and sphere.

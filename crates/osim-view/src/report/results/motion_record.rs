@@ -3,7 +3,7 @@
 use osim_inspect::SCHEMA_VERSION;
 use osim_model::DVec3;
 use osim_model::messages::Dialect;
-use osim_motion::correct::{Correction, FootErrors, ForceErrors};
+use osim_motion::correct::{Correction, FootErrors, ForceErrors, InverseDynamics, RootResidual};
 use osim_motion::{
     Comparison, ContactPair, FootSummary, PressureOnSole, SphereSummary, StanceSummary, TouchDown,
 };
@@ -82,6 +82,40 @@ records! {
         left_minus_right_m: Option<f64> = correction.and_then(left_minus_right_m),
         /// Largest x/R after the correction.
         largest_relative_indentation: Option<f64> = correction.map(|one| one.figures.largest_relative_indentation),
+        /// The force and moment at the root that nothing explains, by inverse dynamics.
+        root_residual: Option<RootResidualRecord> = correction.map(|one| (&one.dynamics).into()),
+        /// How much the correction changes joint moments with the forces of the plates, N m.
+        joint_moment_change_nm: Option<JointMomentsRecord> = correction.map(|one| (&one.dynamics.moment_changes_n_m).into()),
+    }
+
+    /// The force and moment at the root that nothing explains, by inverse dynamics.
+    RootResidualRecord from one: &InverseDynamics {
+        /// Along the normal of the floor, body weights.
+        vertical: ResidualRecord = (one, (|residual| Some(residual.vertical_bw)) as Part).into(),
+        /// Along the floor, body weights.
+        horizontal: ResidualRecord = (one, (|residual| Some(residual.horizontal_bw)) as Part).into(),
+        /// Moment, body weights times m.
+        moment: ResidualRecord = (one, (|residual| residual.moment_bw_m) as Part).into(),
+    }
+
+    /// One part of a residual (rms).
+    ResidualRecord from (one, part): (&InverseDynamics, Part) {
+        /// With the contacts before the correction.
+        before: Option<f64> = part(&one.before),
+        /// With the contacts after the correction.
+        after: Option<f64> = part(&one.after),
+        /// With the plates after the correction; absent for a moment where their points are not known.
+        with_plates: Option<f64> = part(&one.with_plates),
+    }
+
+    /// Changes of joint moments (rms), of the angle and side with the largest.
+    JointMomentsRecord from changes: &[Option<f64>; 3] {
+        /// Hip, N m.
+        hip: Option<f64> = changes[0],
+        /// Knee, N m.
+        knee: Option<f64> = changes[1],
+        /// Ankle, N m.
+        ankle: Option<f64> = changes[2],
     }
 
     /// An error of one foot.
@@ -212,6 +246,9 @@ records! {
         cop_frames: usize = one.cop_frames,
     }
 }
+
+/// A part of a residual.
+type Part = fn(&RootResidual) -> Option<f64>;
 
 impl MotionRecord {
     pub fn new(result: &MotionResult, remarks: &[MotionRemark], dialect: &dyn Dialect) -> Self {
