@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use osim_inspect::InspectOptions;
 use osim_model::files::{InMemory, ModelFiles, OpenModel};
-use osim_planning::{BeforeAfter, PreparedChange, check_with_remedies, prepare, try_what_can_change};
+use osim_planning::{BeforeAfter, PreparedChange, check_with_remedies, find_changeable_values, prepare};
 use osim_requests::spell::CommandLine;
 use serde_json::json;
 
@@ -81,7 +81,7 @@ fn before_and_after_of_a_plan_agree_with_check() {
                     let findings = value["findings"].as_array().unwrap();
                     findings.iter().map(|finding| !finding["command"].is_null()).collect()
                 };
-                let can_be_tried = try_what_can_change(&change.options, &written.model).numbers;
+                let can_be_tried = find_changeable_values(&change.options, &written.model).numbers;
                 let after = serde_json::to_value(after).unwrap();
                 assert!(can_be_tried || !remedies(&after).contains(&true), "{}: {request}", path.display());
             }

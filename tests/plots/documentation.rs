@@ -62,7 +62,7 @@ fn the_pictures_are_those_that_the_commands_draw() {
     }
 }
 
-/// Runs the calls of a page that write files, in their order, and compares the written pictures.
+/// Runs the calls of a page that write files, in their order, compares the pictures with those in the documentation, and counts them.
 #[track_caller]
 fn assert_pictures_of_page_are_current(dir: &TestDir, page: &str) -> usize {
     let text = std::fs::read_to_string(root().join(page)).unwrap();

@@ -65,7 +65,8 @@ struct PlaneJudge<'m> {
 
 impl<'m> PlaneJudge<'m> {
     fn new(trees: PosedTrees<'m>, planes: &[ContactPlane]) -> Self {
-        let is_floor = |plane: &&ContactPlane| !matches!(Tilt::of(trees.model, plane), Some(Tilt::Steep(_)));
+        let is_floor =
+            |plane: &&ContactPlane| !matches!(PlaneTilt::of(trees.model, plane), Some(PlaneTilt::Steep(_)));
         let floors =
             planes.iter().filter(is_floor).filter(|plane| spheres_bound_to(&trees, plane).is_empty());
         let with_floor: HashSet<SphereId> = floors.flat_map(|plane| plane.spheres.iter().copied()).collect();
@@ -76,24 +77,24 @@ impl<'m> PlaneJudge<'m> {
     }
 
     fn judge_plane(&self, plane: &ContactPlane) -> PlaneJudgement {
-        if !self.without_floor(spheres_bound_to(&self.trees, plane)).is_empty() {
+        if !self.spheres_without_floor(spheres_bound_to(&self.trees, plane)).is_empty() {
             return PlaneJudgement::OnLimb;
         }
-        match Tilt::of(self.trees.model, plane) {
-            None | Some(Tilt::Level) => PlaneJudgement::Fine,
-            Some(Tilt::Slope(degrees)) => PlaneJudgement::Slope(degrees),
-            Some(Tilt::Steep(degrees)) => self.kind_of_steep(plane, degrees),
+        match PlaneTilt::of(self.trees.model, plane) {
+            None | Some(PlaneTilt::Level) => PlaneJudgement::Fine,
+            Some(PlaneTilt::Slope(degrees)) => PlaneJudgement::Slope(degrees),
+            Some(PlaneTilt::Steep(degrees)) => self.judge_steep_plane(plane, degrees),
         }
     }
 
-    fn without_floor(&self, mut spheres: Vec<SphereId>) -> Vec<SphereId> {
+    fn spheres_without_floor(&self, mut spheres: Vec<SphereId>) -> Vec<SphereId> {
         spheres.retain(|sphere| !self.with_floor.contains(sphere));
         spheres
     }
 
     /// The kind of a steep plane. It is fine as a wall: hands lean on a wall while the feet of the same body have a floor, or a ball meets
     /// a net while other bodies have a floor.
-    fn kind_of_steep(&self, plane: &ContactPlane, degrees: f64) -> PlaneJudgement {
+    fn judge_steep_plane(&self, plane: &ContactPlane, degrees: f64) -> PlaneJudgement {
         let standing = self.spheres_standing_on(plane);
         if standing.is_empty() {
             PlaneJudgement::Fine
@@ -109,10 +110,11 @@ impl<'m> PlaneJudge<'m> {
         if self.with_floor.is_empty() && !self.has_limbs {
             return plane.spheres.clone();
         }
-        let mut standing = self.without_floor(self.trees.limb_spheres(plane));
+        let mut standing = self.spheres_without_floor(self.trees.limb_spheres(plane));
         standing.retain(|&sphere| {
             let top = self.trees.top_of(sphere);
-            !top.is_some_and(|top| self.trees_with_floor.contains(top)) || self.trees.is_low(sphere)
+            !top.is_some_and(|top| self.trees_with_floor.contains(top))
+                || self.trees.is_at_foot_height(sphere)
         });
         standing
     }
@@ -122,7 +124,7 @@ impl<'m> PlaneJudge<'m> {
     /// because y is up in nearly all models.
     fn is_gravity_to_blame(&self, plane: &ContactPlane, spheres: &[SphereId]) -> bool {
         let Some(surface) = plane.surface else { return false };
-        let body = self.trees.towards_body(spheres).unwrap_or_default();
+        let body = self.trees.vector_to_centre_of_mass(spheres).unwrap_or_default();
         let is_towards = |direction| body.dot(direction) > COS_45_DEGREES * body.length();
         match (is_towards(surface.normal), is_towards(self.trees.model.up())) {
             (true, false) => true,
@@ -154,7 +156,7 @@ const MOST_SLOPE_OF_LEVEL_DEGREES: f64 = 1.0;
 
 /// The tilt of a plane against gravity.
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum Tilt {
+enum PlaneTilt {
     /// The plane is level, to within a degree.
     Level,
     /// The plane slopes by this angle against level ground, degrees.
@@ -163,7 +165,7 @@ enum Tilt {
     Steep(f64),
 }
 
-impl Tilt {
+impl PlaneTilt {
     /// The tilt of `plane`. `None` if it is not known: a number cannot be read or is in degrees, or the model has no gravity.
     fn of(model: &Model, plane: &ContactPlane) -> Option<Self> {
         let is_up_known = model.gravity().is_some_and(|size| size > 0.0 && size.is_finite());
@@ -186,8 +188,8 @@ pub fn weight_share_on_floor(model: &Model, forces: &[ForceId]) -> f64 {
 
 /// [`weight_share_on_floor`] for a caller that has the default pose already.
 pub(crate) fn weight_share_at_pose(model: &Model, forces: &[ForceId], pose: &DefaultPose) -> f64 {
-    let share = |plane: &ContactPlane| match Tilt::of(model, plane) {
-        Some(Tilt::Slope(degrees)) => degrees.to_radians().cos(),
+    let share = |plane: &ContactPlane| match PlaneTilt::of(model, plane) {
+        Some(PlaneTilt::Slope(degrees)) => degrees.to_radians().cos(),
         _ => 1.0,
     };
     ContactPlane::all(model, forces, pose).iter().map(share).reduce(f64::max).unwrap_or(1.0)
@@ -253,7 +255,7 @@ impl<'m> PosedTrees<'m> {
     }
 
     /// Whether the sphere is at the height of the feet of its tree at the default pose.
-    fn is_low(&self, sphere: SphereId) -> bool {
+    fn is_at_foot_height(&self, sphere: SphereId) -> bool {
         let height = self.centre_of_sphere(sphere).map(|centre| centre.dot(self.model.up()));
         let heights = self.body_of(sphere).and_then(|body| self.tree_of_body(body)?.heights_m);
         height
@@ -262,7 +264,7 @@ impl<'m> PosedTrees<'m> {
     }
 
     /// The vector from the middle of the `spheres` to the centre of mass of their tree, in ground, at the default pose, m.
-    fn towards_body(&self, spheres: &[SphereId]) -> Option<DVec3> {
+    fn vector_to_centre_of_mass(&self, spheres: &[SphereId]) -> Option<DVec3> {
         let tree = self.tree_of_body(self.body_of(*spheres.first()?)?)?;
         let centres = spheres.iter().filter_map(|&sphere| Some((1.0, self.centre_of_sphere(sphere)?)));
         Some(weighted_mean(tree.bodies.iter().copied())? - weighted_mean(centres)?)

@@ -7,8 +7,8 @@ use contact_scaling::SURFACE_OVER_COMPOSITE_MODULUS;
 use foldhash::HashMap;
 use osim_model::messages::shown;
 use osim_model::{
-    FindingCode, Force, ForceId, LoadedSphere, Model, Property, Severity, Side, Value, loaded_spheres,
-    same_mass,
+    FindingCode, Force, ForceId, LoadedSphere, Model, Property, Severity, Side, Value, are_equal_masses,
+    loaded_spheres,
 };
 use serde::{Deserialize, Serialize};
 
@@ -34,7 +34,7 @@ pub struct KnownContacts {
 }
 
 impl KnownContacts {
-    fn new(entry: &'static Entry, made_for_kg: f64) -> Self {
+    fn new(entry: &'static KnownContactsEntry, made_for_kg: f64) -> Self {
         Self { name: &entry.name, title: &entry.title, source: &entry.source, made_for_kg }
     }
 
@@ -55,7 +55,13 @@ impl KnownContacts {
     /// # Ok::<(), osim_model::Fault>(())
     /// ```
     pub fn find(model: &Model, forces: &[ForceId], count: Option<f64>, mass_kg: Option<f64>) -> Option<Self> {
-        Self::find_like(&contacts_of_sets(model, forces)?, count, mass_kg, entries(), &ComparedNumbers::EXACT)
+        Self::find_similar_entry(
+            &contacts_of_sets(model, forces)?,
+            count,
+            mass_kg,
+            entries(),
+            &ComparedNumbers::EXACT,
+        )
     }
 
     /// The severity that the table gives a finding about `forces`, if their contacts are not known but the numbers on which the finding
@@ -70,28 +76,28 @@ impl KnownContacts {
         let likeness = ComparedNumbers::for_finding(code)?;
         let with_severity = entries().iter().filter(|entry| entry.severity(code).is_some());
         let contacts = contacts_of_sets(model, forces)?;
-        Self::find_like(&contacts, count, mass_kg, with_severity, &likeness)?.severity(code)
+        Self::find_similar_entry(&contacts, count, mass_kg, with_severity, &likeness)?.severity(code)
     }
 
-    fn find_like(
+    fn find_similar_entry(
         contacts: &[ContactOfSet],
         count: Option<f64>,
         mass_kg: Option<f64>,
-        entries: impl IntoIterator<Item = &'static Entry> + Clone,
+        entries: impl IntoIterator<Item = &'static KnownContactsEntry> + Clone,
         likeness: &ComparedNumbers,
     ) -> Option<Self> {
-        let fits = |entry: &Entry, mass: f64, isometric: bool| {
-            entry.is_of(contacts, count, (mass, isometric), likeness)
+        let fits = |entry: &KnownContactsEntry, mass: f64, isometric: bool| {
+            entry.matches_contacts(contacts, count, (mass, isometric), likeness)
         };
-        let under_body = |entry: &'static Entry| {
+        let under_body = |entry: &'static KnownContactsEntry| {
             let mass = mass_kg?;
             // A sensor makes no other body of the published one.
-            let published_mass = same_mass(mass, entry.body_kg()).then_some(entry.body_kg());
+            let published_mass = are_equal_masses(mass, entry.body_kg()).then_some(entry.body_kg());
             let mass =
                 [Some(mass), published_mass].into_iter().flatten().find(|&mass| fits(entry, mass, false))?;
             Some(Self::new(entry, entry.made_for_kg * (mass / entry.body_kg())))
         };
-        let at_any_mass = |entry: &'static Entry| {
+        let at_any_mass = |entry: &'static KnownContactsEntry| {
             // Contacts that were published under a body of another mass are only recognised under that body.
             let is_for_its_body = entry.made_for_kg == entry.body_kg();
             let radius_m = contacts.first()?.radius_m;
@@ -216,10 +222,10 @@ impl ComparedNumbers {
     }
 }
 
-impl Entry {
+impl KnownContactsEntry {
     /// Whether `contacts` are the contacts of this entry, scaled to `mass` (kg), if `count` of their spheres share the weight. If they are
     /// `isometric`, the radii follow the mass, too.
-    fn is_of(
+    fn matches_contacts(
         &self,
         contacts: &[ContactOfSet],
         count: Option<f64>,
@@ -242,7 +248,7 @@ impl Entry {
         published.iter().all(|published| {
             let alike = contacts.iter().filter(|contact| {
                 let radius = contact.radius_m / published.radius_m;
-                self.has_values(contact, published, [mass_ratio, share], likeness)
+                self.matches_values(contact, published, [mass_ratio, share], likeness)
                     && (!isometric || likeness.is_close(radius * radius * radius, mass_ratio))
             });
             alike.map(|contact| contact.spheres).sum::<usize>() * per_limb == published.spheres * total
@@ -250,7 +256,7 @@ impl Entry {
     }
 
     /// Whether `contact` has the published values, scaled to `mass` times the published mass and `share` times as many spheres.
-    fn has_values(
+    fn matches_values(
         &self,
         contact: &ContactOfSet,
         published: &PublishedContact,
@@ -274,11 +280,11 @@ impl Entry {
         (!likeness.stiffness || close(contact.composite_modulus, modulus))
             && (!likeness.dissipation || close(contact.dissipation, published.dissipation / radius.sqrt()))
             && has_smoothing
-            && (!likeness.friction || self.has_friction(contact, radius, likeness))
+            && (!likeness.friction || self.matches_friction(contact, radius, likeness))
     }
 
     /// Whether the friction is the published one. The coefficients do not depend on size; the two speeds may stay, or follow the radius.
-    fn has_friction(&self, contact: &ContactOfSet, radius: f64, likeness: &ComparedNumbers) -> bool {
+    fn matches_friction(&self, contact: &ContactOfSet, radius: f64, likeness: &ComparedNumbers) -> bool {
         let close = |value, expected| likeness.is_close(value, expected);
         let [r#static, dynamic, viscous] = self.friction;
         let velocity = self.transition_velocity;
@@ -293,7 +299,7 @@ impl Entry {
 /// An entry of the table of known contacts, `known_contacts.json`.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-struct Entry {
+struct KnownContactsEntry {
     pub name: String,
     /// The name of the contacts in messages, such as `Falisse et al. (2022)`.
     pub title: String,
@@ -332,7 +338,7 @@ enum TableSeverity {
     Remark,
 }
 
-impl Entry {
+impl KnownContactsEntry {
     /// The mass of the published body that carries the contacts, kg.
     fn body_kg(&self) -> f64 {
         self.body_kg.unwrap_or(self.made_for_kg)
@@ -353,8 +359,8 @@ impl Entry {
     }
 }
 
-fn entries() -> &'static [Entry] {
-    static ENTRIES: OnceLock<Vec<Entry>> = OnceLock::new();
+fn entries() -> &'static [KnownContactsEntry] {
+    static ENTRIES: OnceLock<Vec<KnownContactsEntry>> = OnceLock::new();
     // A test checks that the table can be read.
     ENTRIES.get_or_init(|| serde_json::from_str(include_str!("known_contacts.json")).unwrap_or_default())
 }
@@ -370,7 +376,8 @@ pub struct ReferenceContacts {
 impl ReferenceContacts {
     /// The contact parameters of `model`; messages call this model `name`.
     pub fn from_model(name: &str, model: &Model) -> Self {
-        let parameters = model.forces().iter().map(|force| (force.name.clone(), all_values(force))).collect();
+        let parameters =
+            model.forces().iter().map(|force| (force.name.clone(), values_of_all_sets(force))).collect();
         Self { name: name.to_owned(), parameters }
     }
 
@@ -384,7 +391,7 @@ impl ReferenceContacts {
             let forces = sides.forces_on(side);
             let mut all = forces.iter().filter_map(|&id| model.force(id)).peekable();
             all.peek().is_some()
-                && all.all(|force| self.parameters.get(&force.name) == Some(&all_values(force)))
+                && all.all(|force| self.parameters.get(&force.name) == Some(&values_of_all_sets(force)))
         };
         match (is_as_reference(Side::Right), is_as_reference(Side::Left)) {
             (true, false) => Some(Side::Right),
@@ -394,7 +401,7 @@ impl ReferenceContacts {
     }
 }
 
-fn all_values(force: &Force) -> Vec<f64> {
+fn values_of_all_sets(force: &Force) -> Vec<f64> {
     force.sets.iter().flat_map(|set| &set.values).map(|value: &Value| value.number).collect()
 }
 
@@ -406,7 +413,8 @@ mod tests {
 
     #[test]
     fn the_table_is_complete_and_its_codes_exist() {
-        let entries: Vec<Entry> = serde_json::from_str(include_str!("known_contacts.json")).unwrap();
+        let entries: Vec<KnownContactsEntry> =
+            serde_json::from_str(include_str!("known_contacts.json")).unwrap();
         assert!(!entries.is_empty());
         let names: BTreeSet<&str> = entries.iter().map(|entry| entry.name.as_str()).collect();
         assert_eq!(names.len(), entries.len());

@@ -1,7 +1,7 @@
 //! Inspects and checks the contacts of a model: computes their figures under its weight, and finds what is wrong with them.
 //!
 //! ```
-//! use osim_inspect::{Changeable, Figure, InspectOptions, check_model};
+//! use osim_inspect::{ChangeableValues, Figure, InspectOptions, check_model};
 //! use osim_model::Model;
 //!
 //! # fn main() -> Result<(), osim_model::Fault> {
@@ -10,7 +10,7 @@
 //! let inspected = options.inspect("one_foot.osim", &model, None);
 //! let sphere = &inspected.figures.limbs[0].spheres[0];
 //! assert!(sphere.value(Figure::Indentation).is_some_and(|x| x > 0.0));
-//! let result = check_model(&options, &model, &inspected, &[], Changeable::UNTRIED);
+//! let result = check_model(&options, &model, &inspected, &[], ChangeableValues::ASSUME_ALL);
 //! assert_eq!(result.counts.error, 0);
 //! # Ok(())
 //! # }
@@ -41,7 +41,8 @@ mod verdicts;
 
 pub use figures::{Figure, FigureVisibility, Figures, LimbFigures, LimitCheck, SphereFigures};
 pub use findings::{
-    Changeable, CheckResult, Counts, FindingIndex, FindingWithRemedy, check_model, check_without_remedies,
+    ChangeableValues, CheckResult, Counts, FindingIndex, FindingWithRemedy, check_model,
+    check_without_remedies,
 };
 pub use floors::weight_share_on_floor;
 pub use inspection::{

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use osim_model::messages::{Input, Phrase, phrase, readable};
 use osim_model::{
     CountedSpheres, Fault, Finding, ForceId, Limb, Limbs, Mass, MassRequest, MassSource, MissingFact, Model,
-    Selection, Suspicion, implausible_mass, same_mass,
+    Selection, Suspicion, are_equal_masses, implausible_mass,
 };
 use osim_requests::options::{InspectionOptions, StanceOptions};
 use osim_requests::{Acceleration, Count, Positive};
@@ -116,19 +116,19 @@ impl LoadSharing {
             return Ok(count);
         }
         match self.limbs.spheres_per_limb() {
-            Ok(spheres) => Ok(spheres_on(spheres, stance_limbs)),
+            Ok(spheres) => Ok(spheres_on_limbs(spheres, stance_limbs)),
             Err(why) => Err(Fault::new(MissingFact::SphereCount { of: whose, why })),
         }
     }
 
     /// The number n of spheres that share the weight while the body stands on limbs like `limb`. Figures need n for each limb, even if
     /// limbs differ.
-    pub fn count_on(limb: &Limb, given: Option<f64>, stance_limbs: f64) -> f64 {
-        given.unwrap_or_else(|| spheres_on(limb.spheres.len(), stance_limbs))
+    pub fn count_on_limb(limb: &Limb, given: Option<f64>, stance_limbs: f64) -> f64 {
+        given.unwrap_or_else(|| spheres_on_limbs(limb.spheres.len(), stance_limbs))
     }
 }
 
-fn spheres_on(spheres: usize, stance_limbs: f64) -> f64 {
+fn spheres_on_limbs(spheres: usize, stance_limbs: f64) -> f64 {
     spheres as f64 * stance_limbs
 }
 
@@ -186,7 +186,7 @@ impl ContactsOrigin {
     pub fn refuse_other_body(&self, model: &Model, masses: &MassRequest, input: Input) -> Result<(), Fault> {
         let MassSource::Known(title) = self.mass.source else { return Ok(()) };
         let bodies_kg = masses.model_mass(model)?.kg;
-        if same_mass(self.mass.kg, bodies_kg) {
+        if are_equal_masses(self.mass.kg, bodies_kg) {
             return Ok(());
         }
         let (title, made_for_kg) = (title.to_owned(), self.mass.kg);
@@ -211,7 +211,8 @@ impl MassMismatch {
         let contacts_mass = contacts_mass?.clone();
         let body_kg = masses.model_mass(model).ok()?.kg;
         let is_of_contacts = matches!(contacts_mass.source, MassSource::Note | MassSource::Known(_));
-        (is_of_contacts && !same_mass(contacts_mass.kg, body_kg)).then_some(Self { body_kg, contacts_mass })
+        (is_of_contacts && !are_equal_masses(contacts_mass.kg, body_kg))
+            .then_some(Self { body_kg, contacts_mass })
     }
 
     /// The mismatch between the mass in the note of `model` and the mass of its bodies.
@@ -280,7 +281,9 @@ fn find_unexplained(
         .ok()
         .and_then(|selected| KnownContacts::find(model, &selected.forces, None, masses.bodies_kg(model)));
     let is_known = |doubt: &Suspicion| match doubt {
-        Suspicion::Mass { kg, .. } => known_contacts.is_some_and(|known| same_mass(*kg, known.made_for_kg)),
+        Suspicion::Mass { kg, .. } => {
+            known_contacts.is_some_and(|known| are_equal_masses(*kg, known.made_for_kg))
+        }
         _ => false,
     };
     suspicions.into_iter().find(|doubt| !is_known(doubt))

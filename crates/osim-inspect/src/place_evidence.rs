@@ -59,8 +59,9 @@ impl PlaceEvidence {
         let carriers = model.loaded_spheres(&model.force_ids());
         let mut bodies = carriers.iter().filter_map(|&id| model.sphere(id)?.body.as_deref());
         // Only feet count: meshes of balls and blocks are stretched to their size.
-        let is_scaled =
-            |body: &str| bones.is_foot(body) && bones.size(body).is_some_and(|size| !is_unit(size));
+        let is_scaled = |body: &str| {
+            bones.is_foot(body) && bones.size(body).is_some_and(|size| !is_conversion_of_unit(size))
+        };
         if bodies.any(is_scaled) { Self::Unknown } else { Self::Unscaled }
     }
 
@@ -94,7 +95,7 @@ fn bodies_beside_feet(model: &Model, bones: &BodyBones) -> Option<Vec<String>> {
 }
 
 /// Whether the factors of meshes are 1, or convert a unit of length, such as 0.001.
-fn is_unit(factors: [f64; 3]) -> bool {
+fn is_conversion_of_unit(factors: [f64; 3]) -> bool {
     (-6..=3).any(|exponent| same_size(factors, [10_f64.powi(exponent); 3]))
 }
 
@@ -187,7 +188,7 @@ impl LayoutCache {
 fn match_layout(list: Vec<SphereCentre<'_>>, bones: &BodyBones) -> Option<LayoutMatch> {
     let centres = DigestedCentres::from(list);
     let Some(layout) = published_layouts().iter().find(|layout| layout.has_places(&centres)) else {
-        let followed = published_layouts().iter().any(|layout| layout.grew_to(&centres, bones));
+        let followed = published_layouts().iter().any(|layout| layout.matches_grown_bones(&centres, bones));
         return followed.then_some(LayoutMatch::AsPublished);
     };
     let bodies: BTreeSet<&str> = centres.list.iter().map(|place| place.body).collect();
@@ -229,16 +230,18 @@ fn find_mirrored_layout(model: &Model, bones: &BodyBones) -> Option<&'static str
 
 fn match_mirrored_layout(list: Vec<SphereCentre<'_>>, bones: &BodyBones) -> Option<&'static str> {
     let mirrored = list.iter().map(SphereCentre::mirrored).collect();
-    if layout_with(list, bones).is_some() {
+    if layout_with_centres(list, bones).is_some() {
         return None;
     }
-    Some(layout_with(mirrored, bones)?.title.as_str())
+    Some(layout_with_centres(mirrored, bones)?.title.as_str())
 }
 
 /// The layout with these centres, in a published size or in the size of the bones.
-fn layout_with(list: Vec<SphereCentre<'_>>, bones: &BodyBones) -> Option<&'static PublishedLayout> {
+fn layout_with_centres(list: Vec<SphereCentre<'_>>, bones: &BodyBones) -> Option<&'static PublishedLayout> {
     let centres = DigestedCentres::from(list);
-    published_layouts().iter().find(|layout| layout.has_places(&centres) || layout.grew_to(&centres, bones))
+    published_layouts()
+        .iter()
+        .find(|layout| layout.has_places(&centres) || layout.matches_grown_bones(&centres, bones))
 }
 
 /// Centres of the spheres that carry weight; `None` if the place of a sphere is not known, or no sphere carries weight.
@@ -253,7 +256,9 @@ fn sphere_centres(model: &Model) -> Option<Vec<SphereCentre<'_>>> {
 
 impl PublishedLayout {
     fn has_places(&self, centres: &DigestedCentres<'_>) -> bool {
-        self.matches(&centres.list, |own| own == centres.digest.get_or_init(|| digest(&centres.list)))
+        self.matches(&centres.list, |own| {
+            own == centres.digest.get_or_init(|| digest_of_places(&centres.list))
+        })
     }
 
     /// Whether the centres `list` are the places of the layout. A layout without places has a digest, with which `list` is compared.
@@ -270,7 +275,7 @@ impl PublishedLayout {
     }
 
     /// Whether each centre is the published place times the factor by which the bone of the sphere is larger than published.
-    fn grew_to(&self, centres: &DigestedCentres<'_>, bones: &BodyBones) -> bool {
+    fn matches_grown_bones(&self, centres: &DigestedCentres<'_>, bones: &BodyBones) -> bool {
         self.sizes.iter().any(|published| {
             let back = centres.list.iter().map(|&SphereCentre { body, at_m }| {
                 let (here, published) = (bones.size(body)?, published.get(published_name(body))?);
@@ -290,7 +295,7 @@ impl<'m> DigestedCentres<'m> {
         if let Some((_, digest)) = computed.iter().find(|(list, _)| list == rescaled) {
             return digest == expected;
         }
-        let digest = digest(rescaled);
+        let digest = digest_of_places(rescaled);
         let is_equal = digest == expected;
         computed.push((rescaled.to_vec(), digest));
         is_equal
@@ -314,7 +319,7 @@ impl PublishedPlace {
 }
 
 /// A digest of the places in whole micrometres. It does not depend on the order of the places.
-fn digest(places: &[SphereCentre<'_>]) -> String {
+fn digest_of_places(places: &[SphereCentre<'_>]) -> String {
     let micrometres = |metres: f64| (metres * 1e6).round() as i64;
     let mut lines: Vec<String> = places
         .iter()
@@ -431,8 +436,8 @@ mod tests {
     fn a_digest_depends_on_micrometres_and_not_on_the_order() {
         let heel = SphereCentre { body: "calcn_r", at_m: [0.01, -0.02, 0.0] };
         let toe = SphereCentre { body: "toes_r", at_m: [0.03, 0.0, 0.001] };
-        let one = digest(&[heel, toe]);
-        assert_eq!(one, digest(&[toe, heel]));
-        assert_ne!(one, digest(&[SphereCentre { at_m: [0.010001, -0.02, 0.0], ..heel }, toe]));
+        let one = digest_of_places(&[heel, toe]);
+        assert_eq!(one, digest_of_places(&[toe, heel]));
+        assert_ne!(one, digest_of_places(&[SphereCentre { at_m: [0.010001, -0.02, 0.0], ..heel }, toe]));
     }
 }

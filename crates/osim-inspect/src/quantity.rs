@@ -24,7 +24,7 @@ pub struct Quantity {
     pub label: &'static str,
     /// The unit as people write it; empty for a pure number.
     pub unit: &'static str,
-    /// Number of the equation in the paper; empty if the paper has none.
+    /// Number that the paper gives the equation of the quantity; empty if the paper has no such equation.
     pub equation: &'static str,
     pub limit: Option<&'static Limit>,
     /// The doc comment of the variant in its register: a sentence that says what the quantity is.

@@ -128,9 +128,9 @@ fn reach_towards_joint(
 
 /// The ends of the bones of OpenSim's foot along x of their bodies, at factor 1, m: the least and the largest x of `r_foot.vtp`, and the
 /// largest of `r_bofoot.vtp`, in OpenSim's Geometry.
-const HEEL_X_M: f64 = -0.0098;
-const FOOT_TIP_X_M: f64 = 0.183817;
-const TOES_TIP_X_M: f64 = 0.076918;
+const HEEL_OF_OPENSIM_FOOT_X_M: f64 = -0.0098;
+const TIP_OF_OPENSIM_FOOT_X_M: f64 = 0.183817;
+const TIP_OF_OPENSIM_TOES_X_M: f64 = 0.076918;
 /// Place of the toe joint on the x axis of the foot in OpenSim's models, at factor 1, m.
 const TOES_BEGIN_X_M: f64 = 0.1788;
 
@@ -296,16 +296,16 @@ fn standard_foot(anatomy: &Anatomy, body: &str) -> Option<StandardFoot> {
     let mut next = anatomy.joints_below(body);
     let toes =
         next.find_map(|joint| Some((joint, factors_of_opensim_bone(anatomy, &joint.child, "bofoot")?)));
-    let heel = foot * HEEL_X_M;
+    let heel = foot * HEEL_OF_OPENSIM_FOOT_X_M;
     Some(match toes {
         Some((joint, [toes, ..])) => {
-            let tip = joint.in_parent_m[0] - joint.in_child_m[0] + toes * TOES_TIP_X_M;
+            let tip = joint.in_parent_m[0] - joint.in_child_m[0] + toes * TIP_OF_OPENSIM_TOES_X_M;
             StandardFoot { heel, tip, longest_tip: tip }
         }
         None => StandardFoot {
             heel,
-            tip: foot * FOOT_TIP_X_M,
-            longest_tip: foot * (TOES_BEGIN_X_M + TOES_TIP_X_M),
+            tip: foot * TIP_OF_OPENSIM_FOOT_X_M,
+            longest_tip: foot * (TOES_BEGIN_X_M + TIP_OF_OPENSIM_TOES_X_M),
         },
     })
 }

@@ -37,7 +37,7 @@ pub struct SizeList {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
 pub struct SizeRow {
-    /// A short stable name.
+    /// A short name of the kind of number, for programs, such as `max_isometric_force`. It never changes.
     pub kind: &'static str,
     /// The kind in words for people.
     pub description: &'static str,

@@ -9,7 +9,7 @@ use osim_model::feet::{DefaultPose, RestLaw, Standing};
 use osim_model::messages::Phrase;
 use osim_model::{
     CountedSpheres, Fault, ForceId, GravityFor, Limbs, Mass, MissingFact, Model, Selected, SphereId,
-    loaded_spheres, loaded_spheres_alone,
+    loaded_round_spheres, loaded_spheres,
 };
 
 use super::register::Figure;
@@ -33,7 +33,7 @@ impl Figures {
         stance: &Stance,
         standing: &[Standing],
     ) -> Result<Self, Fault> {
-        let loads = contacts_by_sphere(&loaded_spheres_alone(model, &selected.forces)?)?;
+        let loads = contacts_by_sphere(&loaded_round_spheres(model, &selected.forces)?)?;
         // If a sphere that was not chosen cannot be read, or is an ellipsoid, level figures are not known.
         let all = loaded_spheres(model, &sharing.forces).and_then(|all| contacts_by_sphere(&all)).ok();
         let gravity =
@@ -137,7 +137,7 @@ fn chosen_by_limb<'p>(
         let limb = limbs.if_known().and_then(|limbs| limbs.get(place));
         let count = match limb {
             None => spheres,
-            Some(limb) => Some(LoadSharing::count_on(limb, spheres, stance_limbs)),
+            Some(limb) => Some(LoadSharing::count_on_limb(limb, spheres, stance_limbs)),
         };
         let group = ChosenOnLimb {
             name: limb.map(|limb| limb.name.clone()),

@@ -6,7 +6,7 @@ use std::cell::LazyCell;
 
 use osim_model::{
     Finding, FindingCode, ForceId, MassRequest, MassSource, Model, Property, Selection, Severity, Suspicion,
-    YesQuestion, same_mass,
+    YesQuestion, are_equal_masses,
 };
 use osim_requests::options::{AnswerOptions, ForceOptions, MassOptions};
 use osim_requests::{Kilograms, Request, RescaleRequest};
@@ -17,7 +17,7 @@ use crate::floors::Floors;
 use crate::rules::places::SpherePlaces;
 use crate::rules::sides::{self, KnownSide};
 use crate::rules::{
-    FigureCheck, contacts, find_in_figures, find_in_floors, find_remedy, floors, model_findings,
+    FigureCheck, apply_figure_rules, apply_floor_rules, contacts, find_remedy, floors, model_findings,
 };
 use crate::{
     BothSides, FindingWithRemedy, InspectOptions, Inspection, KnownContacts, MassMismatch, unexplained_mass,
@@ -25,16 +25,16 @@ use crate::{
 
 /// Which values of a model can be changed, as trial plans show. A remedy that would be refused is not proposed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Changeable {
+pub struct ChangeableValues {
     /// Whether stiffness, dissipation and the other numbers of the contacts can be changed.
     pub numbers: bool,
     /// Whether radii can be changed. They cannot if a force that the change leaves alone uses the same sphere.
     pub radii: bool,
 }
 
-impl Changeable {
+impl ChangeableValues {
     /// Assumes, without a trial plan, that everything can be changed.
-    pub const UNTRIED: Self = Self { numbers: true, radii: true };
+    pub const ASSUME_ALL: Self = Self { numbers: true, radii: true };
 }
 
 /// Checks a model that was inspected. `other_findings` are findings about other files, such as a recording.
@@ -43,9 +43,9 @@ pub fn check_model(
     model: &Model,
     inspected: &Inspection,
     other_findings: &[Finding],
-    changeable: Changeable,
+    changeable: ChangeableValues,
 ) -> CheckResult {
-    let findings = find_all(options, model, inspected, other_findings, changeable);
+    let findings = collect_findings(options, model, inspected, other_findings, changeable);
     CheckResult::new(model, inspected, findings)
 }
 
@@ -55,16 +55,16 @@ pub fn check_without_remedies(
     model: &Model,
     inspected: &Inspection,
 ) -> Vec<FindingWithRemedy> {
-    let without_remedies = Changeable { numbers: false, radii: false };
-    sort_findings(find_all(options, model, inspected, &[], without_remedies))
+    let without_remedies = ChangeableValues { numbers: false, radii: false };
+    sort_findings(collect_findings(options, model, inspected, &[], without_remedies))
 }
 
-fn find_all(
+fn collect_findings(
     options: &InspectOptions,
     model: &Model,
     inspected: &Inspection,
     other_findings: &[Finding],
-    changeable: Changeable,
+    changeable: ChangeableValues,
 ) -> Vec<FindingWithRemedy> {
     let shares_a_modulus = |finding: &Finding| {
         matches!(finding.code(), FindingCode::MixedRadii | FindingCode::SeveralParameterSets)
@@ -94,13 +94,13 @@ fn find_all(
     // A body without a joint may be a copy, whose mass counts twice.
     let another_mass = another_mass.filter(|_| !has_loose_body);
     // Until mass, gravity and places are right, commands about single numbers would be wrong afterwards.
-    let in_other_units = floors::find_too_large(model).is_some();
-    let another_gravity = floors::find_sources_disagree(model, options).filter(|_| !in_other_units);
+    let in_other_units = floors::find_too_large_gravity(model).is_some();
+    let another_gravity = floors::find_gravity_sources_disagree(model, options).filter(|_| !in_other_units);
     let is_unsettled = mismatch.is_some() || another_mass.is_some() || another_gravity.is_some();
     if is_unsettled || places.are_wrong() || are_spheres_odd(model) {
         remedies = remedies.none_yet();
     }
-    let mut findings = find_in_model(model, inspected, &floors_of_model, &remedies);
+    let mut findings = findings_about_model(model, inspected, &floors_of_model, &remedies);
     if are_bodies_of_another_mass(model, inspected, options) {
         findings.retain(|finding| finding.code() != FindingCode::OddRadius);
     }
@@ -112,7 +112,7 @@ fn find_all(
     // Figures under a gravity in another unit, or of a property whose name is misspelt, are not judged.
     let has_gravity = !in_other_units || options.stance.gravity_m_s2.is_some();
     if has_gravity && !has_finding(FindingCode::UnknownName) {
-        findings.extend(find_in_figures(&FigureCheck::new(inspected, &remedies)));
+        findings.extend(apply_figure_rules(&FigureCheck::new(inspected, &remedies)));
     }
     if options.selection.apply(model).is_err_and(|fault| fault.code() == "no-contacts") {
         // A model without contacts needs no number of spheres.
@@ -130,7 +130,7 @@ fn find_all(
         findings.retain(|finding| !EFFECTS_OF_MISSPELLING.contains(&finding.code()));
     }
     for remedy in findings.iter_mut().filter_map(|finding| finding.remedy.as_mut()) {
-        answer_questions(remedy, model, &options.masses);
+        confirm_suspicions(remedy, model, &options.masses);
     }
     with_published_severities(model, &chosen, inspected, findings)
 }
@@ -161,7 +161,11 @@ fn are_bodies_of_another_mass(model: &Model, inspected: &Inspection, options: &I
     let Some(made_for) = &inspected.contacts_mass_kg else { return false };
     let is_meant =
         [MassSource::Note, MassSource::ContactsMass].iter().any(|one| one.as_str() == made_for.source);
-    is_meant && options.masses.bodies_kg(model).is_some_and(|bodies_kg| !same_mass(made_for.value, bodies_kg))
+    is_meant
+        && options
+            .masses
+            .bodies_kg(model)
+            .is_some_and(|bodies_kg| !are_equal_masses(made_for.value, bodies_kg))
 }
 
 /// Whether spheres have to be corrected first. Figures of a sphere in millimetres, or of a copied sphere, have no meaning.
@@ -188,7 +192,7 @@ fn are_numbers_exchanged(model: &Model) -> bool {
 }
 
 /// All findings about the model, except those about the figures of its spheres.
-fn find_in_model(
+fn findings_about_model(
     model: &Model,
     inspected: &Inspection,
     floors: &Floors,
@@ -205,7 +209,7 @@ fn find_in_model(
     let mut findings: Vec<FindingWithRemedy> = inspected.findings.iter().map(with_remedy).collect();
     let remarks = model.remarks_on(&forces_on_half_spaces(model));
     findings.extend(remarks.into_iter().map(FindingWithRemedy::from));
-    findings.extend(find_in_floors(model, floors).into_iter().map(FindingWithRemedy::from));
+    findings.extend(apply_floor_rules(model, floors).into_iter().map(FindingWithRemedy::from));
     let unknown = [
         floors::find_no_gravity(model, inspected, || floors.are_any()),
         contacts::find_count_unknown(inspected),
@@ -246,11 +250,12 @@ fn with_published_severities(
 // Questions that the program would ask about a remedy. Their answers are part of the remedy, so that its command runs as it is printed.
 
 /// Adds to `remedy` the answer yes to each question that the program would ask about it for `model`.
-fn answer_questions(remedy: &mut Request, model: &Model, masses: &MassRequest) {
-    let asked =
-        |own: &MassOptions, choice: &ForceOptions| mass_questions(&with_mass(own, masses), model, choice);
+fn confirm_suspicions(remedy: &mut Request, model: &Model, masses: &MassRequest) {
+    let asked = |own: &MassOptions, choice: &ForceOptions| {
+        suspicions_about_masses(&masses_of_remedy(own, masses), model, choice)
+    };
     let questions = match remedy {
-        Request::Rescale(request) => rescale_questions(request, model, masses),
+        Request::Rescale(request) => suspicions_about_rescaling(request, model, masses),
         Request::Transfer(request) => asked(&request.masses, &request.choice),
         Request::Design(request) => asked(&request.masses, &request.choice),
         Request::Convert(request) => asked(&MassOptions::default(), &request.choice),
@@ -265,7 +270,7 @@ fn answer_questions(remedy: &mut Request, model: &Model, masses: &MassRequest) {
 }
 
 /// The masses with which a remedy is planned: the masses of the caller, with the mass of the model from the options of the remedy.
-fn with_mass(options: &MassOptions, masses: &MassRequest) -> MassRequest {
+fn masses_of_remedy(options: &MassOptions, masses: &MassRequest) -> MassRequest {
     MassRequest {
         contacts_mass_kg: None,
         model_kg: options.mass.map(Kilograms::get),
@@ -275,16 +280,20 @@ fn with_mass(options: &MassOptions, masses: &MassRequest) -> MassRequest {
 }
 
 /// The doubts about masses that a remedy would raise, so that its command answers them.
-fn mass_questions(masses: &MassRequest, model: &Model, choice: &ForceOptions) -> Vec<Suspicion> {
+fn suspicions_about_masses(masses: &MassRequest, model: &Model, choice: &ForceOptions) -> Vec<Suspicion> {
     let selection: Selection = choice.selection();
     unexplained_mass(masses, model, &selection).into_iter().collect()
 }
 
-fn rescale_questions(request: &RescaleRequest, model: &Model, masses: &MassRequest) -> Vec<Suspicion> {
+fn suspicions_about_rescaling(
+    request: &RescaleRequest,
+    model: &Model,
+    masses: &MassRequest,
+) -> Vec<Suspicion> {
     let target_mass_kg = request.target_mass.map(Kilograms::get);
     let contacts_mass_kg = request.masses.contacts_mass.map(Kilograms::get);
     let masses = MassRequest { contacts_mass_kg, target_mass_kg, ..with_mass(&request.masses, masses) };
-    let mut questions = mass_questions(&masses, model, &request.choice);
+    let mut questions = suspicions_about_masses(&masses, model, &request.choice);
     if let (Some(contacts_mass_kg), Some(target_mass_kg)) = (contacts_mass_kg, target_mass_kg) {
         let distances = model.joint_distances();
         let ratio = (target_mass_kg / contacts_mass_kg).cbrt();

@@ -5,7 +5,7 @@ mod check_result;
 mod finding;
 mod remedy;
 
-pub use check::{Changeable, check_model, check_without_remedies};
+pub use check::{ChangeableValues, check_model, check_without_remedies};
 pub use check_result::{CheckResult, Counts};
 pub use finding::{FindingIndex, FindingWithRemedy};
 pub(crate) use remedy::{

@@ -9,7 +9,7 @@ use osim_model::feet::Standing;
 use osim_model::files::FileName;
 use osim_model::{
     Body, CountedSpheres, DVec3, Force, ForceId, Limb, Limbs, Mass, Model, Property, Selected, SetId,
-    SphereId, Value, loaded_spheres_alone,
+    SphereId, Value, loaded_round_spheres,
 };
 
 use crate::inspection::inspected::{FactorsBySource, Origins, Parameters};
@@ -123,7 +123,7 @@ fn contacts_of_sets(
     count: Option<f64>,
 ) -> ContactsOfSets {
     let mut contacts = ContactsOfSets::new();
-    let Ok(loaded) = loaded_spheres_alone(model, &selected.forces) else { return contacts };
+    let Ok(loaded) = loaded_round_spheres(model, &selected.forces) else { return contacts };
     // The spheres of a set follow each other.
     for spheres in loaded.chunk_by(|a, b| (a.force, a.set) == (b.force, b.set)) {
         let Some(sphere) = spheres.first() else { continue };

@@ -164,7 +164,7 @@ impl StandingBody {
         };
         let lift = standing.lift.as_ref();
         let bottoms = bottoms_of_spheres(model, standing);
-        let is_wanted = rests == RestsToCompute::All || is_odd(&bottoms);
+        let is_wanted = rests == RestsToCompute::All || may_be_off_floor(&bottoms);
         Self {
             body: standing.top.clone(),
             mass_kg: standing.mass_kg,
@@ -213,7 +213,7 @@ fn lowest_bottom(bottoms: &[Bottom]) -> Option<&Bottom> {
 }
 
 /// Whether a body whose spheres have these bottoms may be inside its floor or above it.
-fn is_odd(bottoms: &[Bottom]) -> bool {
+fn may_be_off_floor(bottoms: &[Bottom]) -> bool {
     bottoms.iter().any(Bottom::is_inside) || lowest_bottom(bottoms).is_some_and(Bottom::is_above)
 }
 

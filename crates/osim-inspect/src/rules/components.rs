@@ -11,7 +11,7 @@ use osim_model::{
 use osim_requests::{ConvertRequest, Request};
 
 use crate::findings::Remedies;
-use crate::rules::spheres::and_others;
+use crate::rules::spheres::other_cases_in_words;
 use osim_model::rule;
 
 rule! { pub(super) CONNECTEE_BY_NAME: ConnecteeByName, Error;
@@ -94,7 +94,7 @@ pub(super) fn find_irregularities(model: &Model) -> Vec<Finding> {
                 finding.details.clear();
                 finding.places.clear();
             }
-            count => finding.message.push(and_others(
+            count => finding.message.push(other_cases_in_words(
                 count,
                 "another of this class, too",
                 "others of this class, too",
@@ -204,7 +204,7 @@ pub(super) fn find_unknown_class(model: &Model) -> Vec<Finding> {
 }
 
 /// Applies the rules about single components, in the order of the component tree.
-pub(super) fn find_in_components(model: &Model) -> Vec<Finding> {
+pub(super) fn apply_component_rules(model: &Model) -> Vec<Finding> {
     let carriers = model.carriers_of_other_classes();
     let found = model.components().tree.iter().flat_map(|(id, object)| {
         [

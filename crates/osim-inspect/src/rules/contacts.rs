@@ -2,7 +2,7 @@
 
 use osim_model::messages::{Input, Phrase, four_significant, phrase, readable};
 use osim_model::{
-    Example, Fault, FaultKind, Finding, MassRequest, Model, Pattern, Repair, Selection, same_mass,
+    Example, Fault, FaultKind, Finding, MassRequest, Model, Pattern, Repair, Selection, are_equal_masses,
 };
 use osim_requests::options::MassOptions;
 use osim_requests::{Kilograms, Request, RescaleRequest};
@@ -144,7 +144,7 @@ pub(crate) fn find_contacts_of_another_mass(
     let made_for = known.made_for_kg;
     let is_as_published =
         inspected.contacts_mass_kg.as_ref().is_some_and(|mass| mass.source == "known-contacts");
-    if !is_as_published || same_mass(mass, made_for) {
+    if !is_as_published || are_equal_masses(mass, made_for) {
         return None;
     }
     let text = format!(

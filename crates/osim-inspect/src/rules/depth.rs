@@ -3,7 +3,7 @@
 
 use contact_scaling::limits::{INDENTATION, growth_to_indentation_limit};
 use osim_model::messages::{Input, Phrase, Verb, four_significant, phrase, readable};
-use osim_model::{Example, Finding, Repair, Severity, same_mass};
+use osim_model::{Example, Finding, Repair, Severity, are_equal_masses};
 use osim_requests::Request;
 
 use crate::rules::figure_check::{FigureCheck, UP_TO_CENTRE_RADII, value_beyond_limit};
@@ -18,7 +18,7 @@ rule! { pub(super) SUNK_IN: SunkIn, Error, Mass;
     example: Example::ElementText { tag: "stiffness", good: "4.4876e7", bad: "1e6" },
 }
 
-pub(super) fn find_sunk_in(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> {
+pub(super) fn find_sunk_in_spheres(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> {
     sunk_in_level(check).or_else(|| sunk_in_at_own_heights(check))
 }
 
@@ -51,7 +51,7 @@ fn sunk_in_level(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> {
 /// Advice if the contacts are recorded as made for this mass. Scaling them does not help then.
 fn advice_if_made_for_this_body(check: &FigureCheck<'_>) -> Option<Phrase> {
     let made_for = check.inspected.contacts_mass_kg.as_ref().filter(|mass| mass.recorded)?;
-    let weighs_kg = check.inspected.figures.mass_kg.filter(|&kg| same_mass(kg, made_for.value))?;
+    let weighs_kg = check.inspected.figures.mass_kg.filter(|&kg| are_equal_masses(kg, made_for.value))?;
     Some(phrase![
         "They were made for {} kg ({}), which the body weighs: make them stiffer, for a relative indentation of {}";
         readable(weighs_kg), &made_for.description, INDENTATION.value.to_string()
@@ -67,14 +67,16 @@ fn carrying_limbs(check: &FigureCheck<'_>) -> String {
 }
 
 /// A foot that leans by more than this at the default pose, rad, stands on an edge because of the pose.
-const LEANS_RAD: f64 = 0.01;
+const LEAST_LEAN_RAD: f64 = 0.01;
 
 /// Finds limbs whose lower spheres alone carry the weight that all spheres should carry. The contacts are not too soft. The finding is a
 /// remark if the foot leans, because then the pose decides which spheres are low.
 fn sunk_in_at_own_heights(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> {
     let bottoms = check.inspected.standing.iter().flat_map(|body| &body.bottoms);
-    let leaning: Vec<&str> =
-        bottoms.filter(|bottom| bottom.tilt_rad > LEANS_RAD).map(|bottom| bottom.path.as_str()).collect();
+    let leaning: Vec<&str> = bottoms
+        .filter(|bottom| bottom.tilt_rad > LEAST_LEAN_RAD)
+        .map(|bottom| bottom.path.as_str())
+        .collect();
     let limb_leans = |sphere: &SphereFigures| {
         let mut limbs = check.inspected.figures.limbs.iter().map(|limb| &limb.spheres);
         let limb = limbs.find(|limb| limb.iter().any(|one| one.path == sphere.path));
@@ -187,7 +189,7 @@ rule! { pub(super) TOO_STIFF: TooStiff, Warning, Solver;
     example: Example::ElementText { tag: "stiffness", good: "4.4876e7", bad: "4.4876e13" },
 }
 
-pub(super) fn find_too_stiff(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> {
+pub(super) fn find_too_stiff_contacts(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> {
     // The smallest of them is the worst.
     let negative = |sphere: &SphereFigures| Some(-sphere.value(Figure::Indentation)?);
     let affected =

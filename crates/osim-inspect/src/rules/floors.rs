@@ -3,7 +3,9 @@
 
 use osim_model::feet::{ContactPlane, STEEPEST_FLOOR_RAD};
 use osim_model::messages::{Input, four_significant, phrase, readable, shown, three_significant};
-use osim_model::{Example, Finding, GravityFor, MissingFact, Model, Repair, Rule, Severity, same_gravity};
+use osim_model::{
+    Example, Finding, GravityFor, MissingFact, Model, Repair, Rule, Severity, are_equal_gravities,
+};
 
 use crate::floors::{Floors, JudgedPlane, PlaneJudgement};
 use crate::{InspectOptions, Inspection};
@@ -13,7 +15,7 @@ use osim_model::rule;
 pub(super) const UPSIDE_DOWN_DEGREES: f64 = 135.0;
 
 /// Finds floors that are too steep and whose tilt in degrees `applies`. The advice says what to write instead.
-fn find_turned(floors: &Floors, rule: &'static Rule, applies: impl Fn(f64) -> bool) -> Vec<Finding> {
+fn find_turned_floors(floors: &Floors, rule: &'static Rule, applies: impl Fn(f64) -> bool) -> Vec<Finding> {
     let finding = |judged: &JudgedPlane| match judged.kind {
         PlaneJudgement::Steep(degrees) if applies(degrees) => turned_finding(judged, rule, degrees),
         _ => None,
@@ -44,8 +46,8 @@ rule! { pub(super) FLOOR_UPSIDE_DOWN: FloorUpsideDown, Error, Floor;
         bad: "0 0 1.5707963267948966" },
 }
 
-pub(super) fn find_upside_down(floors: &Floors) -> Vec<Finding> {
-    find_turned(floors, &FLOOR_UPSIDE_DOWN, |degrees| degrees > UPSIDE_DOWN_DEGREES)
+pub(super) fn find_upside_down_floors(floors: &Floors) -> Vec<Finding> {
+    find_turned_floors(floors, &FLOOR_UPSIDE_DOWN, |degrees| degrees > UPSIDE_DOWN_DEGREES)
 }
 
 rule! { pub(super) FLOOR_UPRIGHT: FloorUpright, Error, Floor;
@@ -56,8 +58,8 @@ rule! { pub(super) FLOOR_UPRIGHT: FloorUpright, Error, Floor;
     example: Example::ElementText { tag: "orientation", good: "0 0 -1.5707963267948966", bad: "0 0 0" },
 }
 
-pub(super) fn find_upright(floors: &Floors) -> Vec<Finding> {
-    find_turned(floors, &FLOOR_UPRIGHT, |degrees| degrees <= UPSIDE_DOWN_DEGREES)
+pub(super) fn find_upright_floors(floors: &Floors) -> Vec<Finding> {
+    find_turned_floors(floors, &FLOOR_UPRIGHT, |degrees| degrees <= UPSIDE_DOWN_DEGREES)
 }
 
 rule! { pub(super) FLOOR_ON_LIMB: FloorOnLimb, Error, Floor;
@@ -68,7 +70,7 @@ rule! { pub(super) FLOOR_ON_LIMB: FloorOnLimb, Error, Floor;
     example: Example::Models { good: "check/known_contacts.osim", bad: "check/floor_on_limb.osim" },
 }
 
-pub(super) fn find_on_limb(floors: &Floors) -> Vec<Finding> {
+pub(super) fn find_floors_on_limbs(floors: &Floors) -> Vec<Finding> {
     floors.iter().filter_map(on_limb_finding).collect()
 }
 
@@ -94,7 +96,7 @@ rule! { pub(super) FLOOR_SLOPES: FloorSlopes, Remark, Floor;
     example: Example::ElementText { tag: "orientation", good: "0 0 -1.5707963267948966", bad: "0 0 -1.4" },
 }
 
-pub(super) fn find_slopes(floors: &Floors) -> Vec<Finding> {
+pub(super) fn find_sloping_floors(floors: &Floors) -> Vec<Finding> {
     floors.iter().filter_map(slope_finding).collect()
 }
 
@@ -123,7 +125,7 @@ const SAME_DIRECTION: f64 = 0.99985;
 const SAME_FLOOR_M: f64 = 1e-3;
 
 /// One finding for the floor that is highest above the first floor, or lowest below it.
-pub(super) fn find_step(floors: &Floors) -> Vec<Finding> {
+pub(super) fn find_floor_step(floors: &Floors) -> Vec<Finding> {
     let is_floor =
         |judged: &&JudgedPlane| matches!(judged.kind, PlaneJudgement::Fine | PlaneJudgement::Slope(_));
     let surface_of = |plane: &ContactPlane| plane.surface.filter(|own| own.tilt_rad <= STEEPEST_FLOOR_RAD);
@@ -184,7 +186,7 @@ const UNIT_FACTORS: [f64; 2] = [1000.0, 100.0];
 /// Earth's gravity.
 const GRAVITY_LIKE_ON_EARTH: std::ops::RangeInclusive<f64> = 5.0..=20.0;
 
-pub(crate) fn find_too_large(model: &Model) -> Option<Finding> {
+pub(crate) fn find_too_large_gravity(model: &Model) -> Option<Finding> {
     let (gravity, size) = (model.gravity_m_s2?, model.gravity().filter(|&size| size > LARGEST_GRAVITY)?);
     let mut text = format!(
         "gravity is {} in the file, which OpenSim reads in m/s2: expected at most {} m/s2",
@@ -216,7 +218,7 @@ pub(crate) fn find_odd_gravity(model: &Model, floors: &Floors) -> Option<Finding
     let size = model.gravity().filter(|size| *size > 0.0 && *size <= LARGEST_GRAVITY && floors.are_any())?;
     let of_a_place = KNOWN_GRAVITY.contains(&size);
     let noted = model.note.as_ref().and_then(|note| note.gravity_m_s2);
-    let is_noted = of_a_place && noted.is_some_and(|noted| same_gravity(noted, size));
+    let is_noted = of_a_place && noted.is_some_and(|noted| are_equal_gravities(noted, size));
     if is_noted || (LEAST_GRAVITY_ON_EARTH..=*KNOWN_GRAVITY.end()).contains(&size) {
         return None;
     }
@@ -237,7 +239,7 @@ rule! { pub(crate) GRAVITY_NOT_DOWN: GravityNotDown, Error, Floor;
 const ROUNDING: f64 = 1e-6;
 
 /// Finds the first floor that gravity does not point into.
-pub(crate) fn find_not_down(model: &Model, floors: &Floors) -> Option<Finding> {
+pub(crate) fn find_gravity_not_into_floor(model: &Model, floors: &Floors) -> Option<Finding> {
     floors.iter().find_map(|judged| not_down_finding(model, judged))
 }
 
@@ -265,10 +267,10 @@ rule! { pub(crate) GRAVITY_SOURCES_DISAGREE: GravitySourcesDisagree, Warning, Ma
 }
 
 /// Finds a note with another gravity than the model's, unless the caller says which one counts.
-pub(crate) fn find_sources_disagree(model: &Model, options: &InspectOptions) -> Option<Finding> {
+pub(crate) fn find_gravity_sources_disagree(model: &Model, options: &InspectOptions) -> Option<Finding> {
     let noted = model.note.as_ref()?.gravity_m_s2?;
     let present = model.gravity().filter(|&gravity| gravity > 0.0)?;
-    if options.stance.gravity_m_s2.is_some() || same_gravity(noted, present) {
+    if options.stance.gravity_m_s2.is_some() || are_equal_gravities(noted, present) {
         return None;
     }
     let (noted, present) = (readable(noted), readable(present));

@@ -11,11 +11,11 @@ use osim_requests::{ConvertRequest, Request};
 
 use crate::findings::{Remedies, exact_pattern};
 use crate::rules::skeleton::foot_spheres_on_ground;
-use crate::rules::spheres::{about_spheres, and_others};
+use crate::rules::spheres::{finding_about_spheres, other_cases_in_words};
 use osim_model::rule;
 
 /// One finding for all forces with a parameter set that `describe` has a text about: the text of the first one, and how many others.
-pub(super) fn about_forces(
+pub(super) fn finding_about_forces(
     model: &Model,
     rule: &'static Rule,
     describe: impl Fn(&Force, &ParameterSet) -> Option<String>,
@@ -25,7 +25,7 @@ pub(super) fn about_forces(
         .filter_map(|force| force.sets.iter().find_map(|set| Some((force, set, describe(force, set)?))));
     let found: Vec<(&Force, &ParameterSet, String)> = found.collect();
     let (force, set, text) = found.first()?;
-    let more = and_others(found.len(), "another force, too", "other forces, too");
+    let more = other_cases_in_words(found.len(), "another force, too", "other forces, too");
     let places = found.iter().map(|(force, ..)| force.path.clone()).collect();
     Some(Finding { places, ..Finding::at(rule, set.position, format!("{text}{more}")).with_place(&force.path) })
 }
@@ -72,7 +72,7 @@ pub(super) fn find_sphere_in_two_forces(model: &Model) -> Vec<Finding> {
 }
 
 /// Finds surfaces of a force that press nothing, press twice, or belong to the other foot: at most one finding for each rule.
-pub(super) fn find_in_surfaces(model: &Model) -> Vec<Finding> {
+pub(super) fn apply_surface_rules(model: &Model) -> Vec<Finding> {
     type DescribeForce = fn(&Model, &Force) -> Option<String>;
     let rules: [(&Rule, DescribeForce); 4] = [
         (&SURFACE_NAMED_TWICE, describe_named_twice),
@@ -82,7 +82,9 @@ pub(super) fn find_in_surfaces(model: &Model) -> Vec<Finding> {
     ];
     let find = |(rule, describe): (&'static Rule, DescribeForce)| {
         // Once for each force, not for each of its parameter sets.
-        about_forces(model, rule, |force, set| (set.id == SetId::FIRST).then(|| describe(model, force))?)
+        finding_about_forces(model, rule, |force, set| {
+            (set.id == SetId::FIRST).then(|| describe(model, force))?
+        })
     };
     rules.into_iter().filter_map(find).collect()
 }
@@ -157,7 +159,7 @@ fn describe_other_side(model: &Model, force: &Force) -> Option<String> {
     let sides = spheres.filter_map(|sphere| Some((sphere, Side::of_name(sphere.body.as_deref()?)?)));
     let (own, other): (Vec<_>, Vec<_>) = sides.partition(|(_, of_body)| *of_body == side);
     let (first, of_body) = other.first().filter(|_| !own.is_empty())?;
-    let more = and_others(other.len(), "another sphere, too", "other spheres, too");
+    let more = other_cases_in_words(other.len(), "another sphere, too", "other spheres, too");
     Some(format!(
         "{} presses {}, which is on the {} side{more}",
         force.path,
@@ -200,9 +202,9 @@ pub(super) fn find_ellipsoid(model: &Model) -> Vec<Finding> {
     let text = format!(
         "{} is an ellipsoid: it is scaled as a sphere is, and figures that need a sphere leave it out{}",
         shown(&first.name),
-        and_others(ellipsoids.len(), "another ellipsoid, too", "other ellipsoids, too")
+        other_cases_in_words(ellipsoids.len(), "another ellipsoid, too", "other ellipsoids, too")
     );
-    about_spheres(&ELLIPSOID, text, ellipsoids.iter().copied()).into_iter().collect()
+    finding_about_spheres(&ELLIPSOID, text, ellipsoids.iter().copied()).into_iter().collect()
 }
 
 rule! { pub(super) MOCO_DIALECT: MocoDialect, Warning;
@@ -324,7 +326,7 @@ fn terrain_spheres(model: &Model) -> Option<Finding> {
         2 => format!("{} and one more sphere are on ground: {SCENERY_STAYS}", first.path),
         count => format!("{} and {} more spheres are on ground: {SCENERY_STAYS}", first.path, count - 1),
     };
-    about_spheres(&TERRAIN, text, fixed.iter().copied())
+    finding_about_spheres(&TERRAIN, text, fixed.iter().copied())
 }
 
 const SCENERY_STAYS: &str = "they are scenery, so they are not counted and not changed";

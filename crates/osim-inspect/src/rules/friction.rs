@@ -3,7 +3,7 @@
 use osim_model::messages::readable;
 use osim_model::{Example, Finding, Model, Property, Repair, SetId, Severity, ValueOrigin};
 
-use crate::rules::forces::about_forces;
+use crate::rules::forces::finding_about_forces;
 use osim_model::rule;
 
 /// The largest plausible coefficient of static or dynamic friction: that of the stickiest rubber.
@@ -36,7 +36,7 @@ fn find_large_friction(model: &Model) -> Option<Finding> {
             (Property::DynamicFriction, LARGEST_FRICTION),
             (Property::ViscousFriction, largest_viscous),
         ];
-        about_forces(model, &LARGE_FRICTION, |force, set| {
+        finding_about_forces(model, &LARGE_FRICTION, |force, set| {
             let (large, limit) = limits.iter().find_map(|(property, limit)| {
                 Some((set.value(*property).filter(|value| value.number > *limit)?, limit))
             })?;
@@ -58,7 +58,7 @@ rule! { pub(super) DYNAMIC_ABOVE_STATIC: DynamicAboveStatic, Warning, Sizes;
 }
 
 fn find_dynamic_above_static(model: &Model) -> Option<Finding> {
-    about_forces(model, &DYNAMIC_ABOVE_STATIC, |force, set| {
+    finding_about_forces(model, &DYNAMIC_ABOVE_STATIC, |force, set| {
         let [sliding, resting] = [Property::DynamicFriction, Property::StaticFriction]
             .map(|property| set.value(property).map_or(0.0, |value| value.number));
         // A negative coefficient is outside its domain, which is another finding.
@@ -84,7 +84,7 @@ rule! { pub(super) ODD_TRANSITION_VELOCITY: OddTransitionVelocity, Warning, Solv
 
 fn find_odd_transition_velocity(model: &Model) -> Option<Finding> {
     let where_odd = |is_odd: fn(f64) -> bool, what: &str| {
-        about_forces(model, &ODD_TRANSITION_VELOCITY, |force, set| {
+        finding_about_forces(model, &ODD_TRANSITION_VELOCITY, |force, set| {
             let speed = force.value(set.id, Property::TransitionVelocity)?.number;
             let text = || format!("transition_velocity of {} is {} m/s, {what}", force.path, readable(speed));
             is_odd(speed).then(text)

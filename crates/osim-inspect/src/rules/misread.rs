@@ -20,7 +20,7 @@ const VALUE_RULES: [(&Rule, DescribeValue); 3] = [
 ];
 
 /// Finds numbers of contacts, and masses, that are written oddly, are not finite, or are outside their domain.
-pub(super) fn find_in_values(model: &Model) -> Vec<Finding> {
+pub(super) fn apply_value_rules(model: &Model) -> Vec<Finding> {
     let parameters = model.forces().iter().flat_map(|force| {
         // The older class has its transition velocity outside its parameter sets.
         let outside_sets = (force.kind == ForceKind::HuntCrossley).then_some(&force.transition_velocity);
@@ -128,7 +128,7 @@ fn written_properties(class: &str) -> &'static [WrittenProperties] {
 
 /// Finds texts of numbers and flags that OpenSim reads as other values than are written, or that are not finite. OpenSim silently takes its
 /// default if it cannot read a text.
-pub(super) fn find_in_texts(model: &Model) -> Vec<Finding> {
+pub(super) fn find_misread_texts(model: &Model) -> Vec<Finding> {
     let (mut found, mut children, mut meant) = (Vec::new(), Vec::new(), MeantNames::default());
     let components = model.components();
     for (id, component) in components.tree.iter() {
@@ -247,7 +247,7 @@ fn unequal_counts(document: &Document, curve: ElementId, tag: &str, text: &str) 
     };
     let tree = document.tree();
     let other = tree.raw_text(tree.child(curve, other_tag)?).text;
-    let count = |text: &str| old_words(text).len();
+    let count = |text: &str| words_of_old_numbers(text).len();
     let (own, others) = (count(text), count(&other));
     (own != others).then(|| format!("has {own} numbers, and {other_tag} {others}"))
 }
@@ -311,14 +311,14 @@ impl TextForm {
 
 /// Whether a text is `count` finite numbers, separated by blanks or by commas, perhaps in brackets.
 fn are_old_numbers(text: &str, count: Option<usize>) -> bool {
-    let words = old_words(text);
+    let words = words_of_old_numbers(text);
     let is_finite = |word: &&str| {
         plain_numbers(word).is_some_and(|numbers| matches!(numbers[..], [one] if one.is_finite()))
     };
     count.is_none_or(|count| words.len() == count) && !words.is_empty() && words.iter().all(is_finite)
 }
 
-fn old_words(text: &str) -> Vec<&str> {
+fn words_of_old_numbers(text: &str) -> Vec<&str> {
     let brackets = [('(', ')'), ('[', ']')];
     let inside = brackets.iter().find_map(|&(open, close)| text.strip_prefix(open)?.strip_suffix(close));
     let text = inside.unwrap_or(text);

@@ -30,7 +30,7 @@ pub(crate) use figure_check::FigureCheck;
 pub use places::find_misplaced_spheres;
 
 /// A table of rules: each line has one or several rules, and the function that applies them together.
-type Table<F> = &'static [(&'static [&'static Rule], F)];
+type RuleTable<F> = &'static [(&'static [&'static Rule], F)];
 
 /// What a rule about one model depends on, and the function that finds its cases.
 type ModelRule = (DependsOn, fn(&Model) -> Vec<Finding>);
@@ -46,7 +46,7 @@ enum DependsOn {
 use DependsOn::{Numbers, Rest};
 
 /// Rules about the model itself, in the order in which reports list their findings.
-static MODEL_RULES: Table<ModelRule> = &[
+static MODEL_RULES: RuleTable<ModelRule> = &[
     (
         &[&components::CONNECTEE_BY_NAME, &components::SOCKET_NOWHERE, &components::MISNAMED_PARAMETER_SET],
         (Rest, components::find_irregularities),
@@ -63,14 +63,17 @@ static MODEL_RULES: Table<ModelRule> = &[
     ),
     (
         &[&misread::ODD_NUMBER, &misread::NOT_FINITE, &misread::OUT_OF_DOMAIN],
-        (Numbers, misread::find_in_values),
+        (Numbers, misread::apply_value_rules),
     ),
     // The texts of other numbers, by the same rules.
-    (&[], (Rest, misread::find_in_texts)),
+    (&[], (Rest, misread::find_misread_texts)),
     (&[&numbers::ANGLE_IN_DEGREES], (Rest, numbers::find_angle_in_degrees)),
     (&[&numbers::MASSLESS_BODY], (Rest, numbers::find_massless_body)),
     (&[&numbers::DEFAULT_OUTSIDE_RANGE], (Rest, numbers::find_default_outside_range)),
-    (&[&skeleton::ODD_PARENT, &skeleton::LEFT_RIGHT_BONES], (Rest, skeleton::find_in_skeleton)),
+    (
+        &[&skeleton::ODD_PARENT, &skeleton::LEFT_RIGHT_BONES],
+        (Rest, skeleton::find_wrong_side_or_unlike_limbs),
+    ),
     (&[&skeleton::FOOT_SPHERE_ON_GROUND], (Rest, skeleton::find_foot_sphere_on_ground)),
     (&[&skeleton::ROOT_HELD], (Rest, skeleton::find_root_held)),
     (&[&components::INCLUDED_FILE], (Rest, components::find_included_file)),
@@ -84,13 +87,13 @@ static MODEL_RULES: Table<ModelRule> = &[
             &forces::SPHERE_OF_OTHER_SIDE,
             &forces::SHAPE_PRESSES_NOTHING,
         ],
-        (Rest, forces::find_in_surfaces),
+        (Rest, forces::apply_surface_rules),
     ),
     (&[&forces::ELLIPSOID], (Numbers, forces::find_ellipsoid)),
     (&[&numbers::DEFAULT_STIFFNESS], (Numbers, numbers::find_default_stiffness)),
     (&[&numbers::ZERO_CONSTANT_CONTACT_FORCE], (Numbers, numbers::find_zero_constant_contact_force)),
     // This line also applies `SIDE_RULES`.
-    (&[&sides::LEFT_RIGHT_DIFFER, &sides::LEFT_RIGHT_CLOSE], (Numbers, find_in_sides)),
+    (&[&sides::LEFT_RIGHT_DIFFER, &sides::LEFT_RIGHT_CLOSE], (Numbers, apply_side_rules)),
     (
         &[&friction::LARGE_FRICTION, &friction::DYNAMIC_ABOVE_STATIC, &friction::ODD_TRANSITION_VELOCITY],
         (Numbers, friction::find_odd_friction),
@@ -105,14 +108,14 @@ static MODEL_RULES: Table<ModelRule> = &[
     (&[&components::UNKNOWN_CLASS], (Rest, components::find_unknown_class)),
     (
         &[&components::NOT_HERTZ, &components::DUPLICATE_NAMES, &components::REFUSED_NAME],
-        (Rest, components::find_in_components),
+        (Rest, components::apply_component_rules),
     ),
     (&[&components::LOOP_OF_JOINTS], (Rest, components::find_loop_of_joints)),
     (&[&components::MIXED_PAIR], (Numbers, components::find_mixed_pair)),
 ];
 
 /// Rules about the two sides of the body, and about places and sizes of spheres.
-static SIDE_RULES: Table<fn(&BothSides<'_>) -> Option<Finding>> = &[
+static SIDE_RULES: RuleTable<fn(&BothSides<'_>) -> Option<Finding>> = &[
     (&[&sides::LEFT_RIGHT_PLACES], sides::find_left_right_places),
     (&[&sides::LEFT_RIGHT_MISSING], sides::find_left_right_missing),
     (&[&sides::LEFT_RIGHT_OFF], sides::find_left_right_off),
@@ -126,25 +129,25 @@ static SIDE_RULES: Table<fn(&BothSides<'_>) -> Option<Finding>> = &[
 ];
 
 /// Rules about the floors that spheres press on.
-static FLOOR_RULES: Table<fn(&Floors) -> Vec<Finding>> = &[
-    (&[&floors::FLOOR_UPSIDE_DOWN], floors::find_upside_down),
-    (&[&floors::FLOOR_UPRIGHT], floors::find_upright),
-    (&[&floors::FLOOR_ON_LIMB], floors::find_on_limb),
-    (&[&floors::FLOOR_SLOPES], floors::find_slopes),
-    (&[&floors::FLOOR_STEP], floors::find_step),
+static FLOOR_RULES: RuleTable<fn(&Floors) -> Vec<Finding>> = &[
+    (&[&floors::FLOOR_UPSIDE_DOWN], floors::find_upside_down_floors),
+    (&[&floors::FLOOR_UPRIGHT], floors::find_upright_floors),
+    (&[&floors::FLOOR_ON_LIMB], floors::find_floors_on_limbs),
+    (&[&floors::FLOOR_SLOPES], floors::find_sloping_floors),
+    (&[&floors::FLOOR_STEP], floors::find_floor_step),
 ];
 
 /// Rules about the figures of spheres.
-static FIGURE_RULES: Table<fn(&FigureCheck<'_>) -> Option<FindingWithRemedy>> = &[
-    (&[&depth::SUNK_IN], depth::find_sunk_in),
-    (&[&depth::TOO_STIFF], depth::find_too_stiff),
+static FIGURE_RULES: RuleTable<fn(&FigureCheck<'_>) -> Option<FindingWithRemedy>> = &[
+    (&[&depth::SUNK_IN], depth::find_sunk_in_spheres),
+    (&[&depth::TOO_STIFF], depth::find_too_stiff_contacts),
     (&[&depth::BEYOND_HERTZ], depth::find_beyond_hertz),
     (&[&depth::BEYOND_HERTZ_AT_TWO], depth::find_beyond_hertz_at_two),
     (&[&smoothing::BEYOND_HUNT_CROSSLEY], smoothing::find_beyond_hunt_crossley),
     (&[&smoothing::LARGE_CONSTANT_INDENTATION], smoothing::find_large_constant_indentation),
     (&[&smoothing::WIDE_TRANSITION], smoothing::find_wide_transition),
     (&[&smoothing::FORCE_BEFORE_CONTACT], smoothing::find_force_before_contact),
-    (&[&smoothing::FLOATS], smoothing::find_floats),
+    (&[&smoothing::FLOATS], smoothing::find_floating_body),
     (&[&standing::UNEVEN_BOTTOMS], standing::find_uneven_bottoms),
     (&[&standing::UNLEVEL_FOOT], standing::find_unlevel_foot),
 ];
@@ -175,7 +178,7 @@ pub fn rules() -> impl Iterator<Item = &'static Rule> {
     of_tables.chain(rules_in(FIGURE_RULES)).chain(OTHER_RULES)
 }
 
-fn rules_in<F>(table: Table<F>) -> impl Iterator<Item = &'static Rule> {
+fn rules_in<F>(table: RuleTable<F>) -> impl Iterator<Item = &'static Rule> {
     table.iter().flat_map(|(rules, _)| rules.iter().copied())
 }
 
@@ -208,9 +211,9 @@ pub fn model_findings(model: &Model) -> &[Finding] {
     })
 }
 
-fn find_in_sides(model: &Model) -> Vec<Finding> {
+fn apply_side_rules(model: &Model) -> Vec<Finding> {
     let sides = BothSides::of(model);
-    let mut findings = sides::find_differences(&sides);
+    let mut findings = sides::find_side_differences(&sides);
     findings.extend(SIDE_RULES.iter().filter_map(|(_, find)| find(&sides)));
     findings.extend(places::find_no_heel(&sides));
     findings.extend(places::find_toes_at_ankle(&sides));
@@ -223,17 +226,17 @@ fn find_in_sides(model: &Model) -> Vec<Finding> {
 }
 
 /// Applies the rules about floors and about gravity towards them.
-pub(crate) fn find_in_floors(model: &Model, floors: &Floors) -> Vec<Finding> {
+pub(crate) fn apply_floor_rules(model: &Model, floors: &Floors) -> Vec<Finding> {
     let about_gravity = [
-        floors::find_too_large(model),
-        floors::find_not_down(model, floors),
+        floors::find_too_large_gravity(model),
+        floors::find_gravity_not_into_floor(model, floors),
         floors::find_odd_gravity(model, floors),
     ];
     about_gravity.into_iter().flatten().chain(FLOOR_RULES.iter().flat_map(|(_, find)| find(floors))).collect()
 }
 
 /// Applies the rules about figures.
-pub(crate) fn find_in_figures(check: &FigureCheck<'_>) -> Vec<FindingWithRemedy> {
+pub(crate) fn apply_figure_rules(check: &FigureCheck<'_>) -> Vec<FindingWithRemedy> {
     let findings = FIGURE_RULES.iter().filter_map(|(_, find)| find(check));
     findings.chain(standing::find_not_on_floor(check)).collect()
 }

@@ -9,7 +9,7 @@ use osim_model::{
 use osim_requests::Request;
 
 use crate::findings::Remedies;
-use crate::rules::spheres::and_others;
+use crate::rules::spheres::other_cases_in_words;
 use osim_model::rule;
 
 /// The largest inertia, kg m², that a body without mass may have. Programs write tiny inertias for frames that weigh nothing.
@@ -37,7 +37,7 @@ pub(super) fn find_massless_body(model: &Model) -> Vec<Finding> {
         .filter(|body| body.mass_kg().is_ok_and(|kg| kg == 0.0) && has_inertia(&body.name))
         .collect();
     let Some(first) = massless.first() else { return Vec::new() };
-    let more = and_others(massless.len(), "another body, too", "other bodies, too");
+    let more = other_cases_in_words(massless.len(), "another body, too", "other bodies, too");
     let text = format!("{} has a mass of 0 and an inertia{more}", shown(&first.name));
     let position = model.file(first.file).position(first.mass.offset);
     vec![Finding::at(&MASSLESS_BODY, position, text).with_place(&first.path)]
@@ -75,7 +75,7 @@ pub(super) fn find_default_outside_range(model: &Model) -> Vec<Finding> {
         shown(&worst.name),
         readable(worst.default.unwrap_or_default()),
         if worst.clamped { ": OpenSim refuses the model" } else { "" },
-        and_others(found.len(), "another coordinate, too", "other coordinates, too")
+        other_cases_in_words(found.len(), "another coordinate, too", "other coordinates, too")
     );
     let document = model.file(joint.file);
     let position = document.position_of(worst.element);
@@ -156,12 +156,12 @@ pub(super) fn find_angle_in_degrees(model: &Model) -> Vec<Finding> {
     let planes = model.half_spaces().into_iter().chain(model.half_spaces_inside());
     for orientation in planes.flat_map(|plane| plane.orientations) {
         let is_reported = found.iter().any(|known| known.place.as_deref() == Some(orientation.path.as_str()));
-        found.extend(find_degrees_in(&orientation).filter(|_| !is_reported));
+        found.extend(find_degrees_in_orientation(&orientation).filter(|_| !is_reported));
     }
     found
 }
 
-fn find_degrees_in(orientation: &Orientation) -> Option<Finding> {
+fn find_degrees_in_orientation(orientation: &Orientation) -> Option<Finding> {
     let angles = orientation.angles_rad.filter(|_| orientation.is_in_degrees())?;
     let listed = |angles: [f64; 3]| angles.map(readable).join(" ");
     let Orientation { path, tag, position, .. } = orientation;

@@ -12,7 +12,7 @@ use crate::findings::{FindingWithRemedy, Remedies, rounded_mass};
 use crate::inspection::Inspection;
 use crate::place_evidence::{LayoutMatch, PlaceEvidence};
 use crate::reach::{BodyBones, Reach};
-use crate::rules::spheres::about_spheres;
+use crate::rules::spheres::finding_about_spheres;
 use crate::sides::BothSides;
 use osim_model::rule;
 
@@ -37,7 +37,7 @@ fn noted_sizes(model: &Model) -> Option<ScaledSinceNote> {
 /// The finding that spheres are at wrong places, by this file alone, for a change that does not move the spheres.
 pub fn find_misplaced_spheres(model: &Model) -> Option<Finding> {
     let evidence = PlaceEvidence::of(model, noted_sizes(model));
-    evidence.is_wrong().then(|| find_in_file(&evidence, model)).flatten()
+    evidence.is_wrong().then(|| find_misplaced_by_file_alone(&evidence, model)).flatten()
 }
 
 impl<'i> SpherePlaces<'i> {
@@ -70,7 +70,7 @@ impl<'i> SpherePlaces<'i> {
             Self::FileAlone(evidence) => {
                 let is_noted = matches!(evidence, PlaceEvidence::ScaledSinceNote(_));
                 let remedy = || is_noted.then(|| follow_by_note(remedies, model)).flatten();
-                find_in_file(evidence, model)
+                find_misplaced_by_file_alone(evidence, model)
                     .into_iter()
                     .map(|finding| FindingWithRemedy::new(finding, remedy()))
                     .collect()
@@ -79,10 +79,14 @@ impl<'i> SpherePlaces<'i> {
                 let alone = Self::FileAlone(evidence.clone()).findings(model, remedies);
                 // The finding that the models cannot be compared is enough, if the file alone shows nothing either.
                 let alone = alone.into_iter().filter(|one| one.code() != FindingCode::SpheresNotCompared);
-                find_compared(placement).into_iter().map(FindingWithRemedy::from).chain(alone).collect()
+                find_misplaced_by_comparison(placement)
+                    .into_iter()
+                    .map(FindingWithRemedy::from)
+                    .chain(alone)
+                    .collect()
             }
             Self::Compared(placement) => {
-                let found = find_compared(placement).into_iter();
+                let found = find_misplaced_by_comparison(placement).into_iter();
                 found
                     .map(|finding| FindingWithRemedy::new(finding, follow_by_original(remedies, placement)))
                     .collect()
@@ -133,7 +137,7 @@ fn follow_by_original(remedies: &Remedies<'_>, placement: &SpherePlacements) -> 
 }
 
 /// The finding about wrong places from the evidence in this file alone.
-fn find_in_file(evidence: &PlaceEvidence, model: &Model) -> Option<Finding> {
+fn find_misplaced_by_file_alone(evidence: &PlaceEvidence, model: &Model) -> Option<Finding> {
     match evidence {
         PlaceEvidence::ScaledSinceNote(noted) => Some(left_behind_since_note(noted)),
         PlaceEvidence::OtherSize(LayoutMatch::OtherSize { title, body, growth }) => {
@@ -149,7 +153,7 @@ fn find_in_file(evidence: &PlaceEvidence, model: &Model) -> Option<Finding> {
                 "spheres are on {}, and the feet of the model have none",
                 listed(bodies, MOST_BODIES_NAMED)
             );
-            find_on_bodies(model, bodies, text)
+            find_spheres_beside_feet(model, bodies, text)
         }
         PlaceEvidence::Mirrored(title) => {
             let text = format!(
@@ -177,17 +181,17 @@ fn find_in_file(evidence: &PlaceEvidence, model: &Model) -> Option<Finding> {
 const MOST_BODIES_NAMED: usize = 4;
 
 /// The finding that all spheres are on `bodies`, none of which belongs to a foot.
-fn find_on_bodies(model: &Model, bodies: &[String], text: String) -> Option<Finding> {
+fn find_spheres_beside_feet(model: &Model, bodies: &[String], text: String) -> Option<Finding> {
     let is_there = |sphere: &&Sphere| {
         let body = sphere.body.as_ref();
         body.is_some_and(|body| bodies.contains(body))
     };
-    about_spheres(&SPHERES_MISPLACED, text, model.spheres().iter().filter(is_there))
+    finding_about_spheres(&SPHERES_MISPLACED, text, model.spheres().iter().filter(is_there))
 }
 
 /// A finding for all spheres that stayed at their places, and a finding for all that were moved to wrong places; a single finding if the
 /// two models cannot be compared.
-fn find_compared(placement: &SpherePlacements) -> Vec<Finding> {
+fn find_misplaced_by_comparison(placement: &SpherePlacements) -> Vec<Finding> {
     if let Some(why) = &placement.unknown {
         let text = phrase!["the spheres cannot be compared with those of the model that was scaled: ", why];
         let finding = Finding::new(&SPHERES_NOT_COMPARED, text);
@@ -292,7 +296,7 @@ fn misplaced_by_reach(model: &Model, far: &[Reach]) -> Option<Finding> {
         count => format!(" ({} more)", count - 1),
     };
     let text = format!("{} {}{more}", sphere.name, reach.describe());
-    about_spheres(&SPHERES_MISPLACED, text, spheres.iter().map(|(_, sphere)| *sphere))
+    finding_about_spheres(&SPHERES_MISPLACED, text, spheres.iter().map(|(_, sphere)| *sphere))
 }
 
 /// A sphere that is ahead of the ankle by more than this part of the limb's longest bone does not serve as a heel. The heel of D'Hondt et
@@ -323,7 +327,7 @@ pub(super) fn find_no_heel(sides: &BothSides<'_>) -> Option<Finding> {
         shown(&sphere.name),
         three_significant(1e3 * ahead_m)
     );
-    let finding = about_spheres(&SPHERES_MISPLACED, text, std::iter::once(sphere))?;
+    let finding = finding_about_spheres(&SPHERES_MISPLACED, text, std::iter::once(sphere))?;
     Some(
         finding
             .with_severity(Severity::Remark)
@@ -356,7 +360,7 @@ pub(super) fn find_toes_at_ankle(sides: &BothSides<'_>) -> Option<Finding> {
         three_significant(1e3 * ahead_m),
         shown(first.body.as_deref().unwrap_or_default())
     );
-    about_spheres(&SPHERES_MISPLACED, text, near.iter().map(|(_, sphere)| *sphere))
+    finding_about_spheres(&SPHERES_MISPLACED, text, near.iter().map(|(_, sphere)| *sphere))
 }
 
 rule! { pub(super) SPHERES_NOT_COMPARED: SpheresNotCompared, Remark, Sizes;

@@ -11,7 +11,7 @@ use osim_requests::{Request, SetRequest};
 use crate::findings::{FindingWithRemedy, Remedies, exact_pattern};
 use crate::inspection::Inspection;
 use crate::known_contacts::KnownContacts;
-use crate::rules::spheres::{about_spheres, and_others};
+use crate::rules::spheres::{finding_about_spheres, other_cases_in_words};
 use crate::sides::{BothSides, SAME_PLACE_OF_BONE, SideDifference, SideSphere, SpherePair};
 use osim_model::rule;
 
@@ -26,20 +26,21 @@ rule! { pub(super) LEFT_RIGHT_DIFFER: LeftRightDiffer, Warning, Sides;
 
 /// Finds pairs of forces on mirrored spheres whose parameters are not equal and do not follow the sizes of the bones. Pairs with
 /// differences as small as in published models come last.
-pub(super) fn find_differences(sides: &BothSides<'_>) -> Vec<Finding> {
+pub(super) fn find_side_differences(sides: &BothSides<'_>) -> Vec<Finding> {
     let pairs = sides.differences();
-    let large = pairs
-        .iter()
-        .filter_map(|(left, right, all)| find_difference(&LEFT_RIGHT_DIFFER, left, right, all, false));
+    let large = pairs.iter().filter_map(|(left, right, all)| {
+        finding_of_side_difference(&LEFT_RIGHT_DIFFER, left, right, all, false)
+    });
     let are_small = |(_, _, all): &&(_, _, Vec<SideDifference>)| all.iter().all(|one| one.is_small);
     let small = pairs.iter().filter(are_small);
-    let small =
-        small.filter_map(|(left, right, all)| find_difference(&LEFT_RIGHT_CLOSE, left, right, all, true));
+    let small = small.filter_map(|(left, right, all)| {
+        finding_of_side_difference(&LEFT_RIGHT_CLOSE, left, right, all, true)
+    });
     large.chain(small).collect()
 }
 
 /// The finding about the first difference between two forces that is as small as in published models (`is_small`), or larger.
-fn find_difference(
+fn finding_of_side_difference(
     rule: &'static Rule,
     left: &Force,
     right: &Force,
@@ -225,9 +226,9 @@ pub(super) fn find_left_right_places(sides: &BothSides<'_>) -> Option<Finding> {
         sides.pairs.iter().filter_map(|pair| Some((distance_too_far(pair, limit)?, pair))).collect();
     far_pairs.sort_by(|(a, _), (b, _)| b.total_cmp(a));
     let (_, worst) = far_pairs.first()?;
-    let more = and_others(far_pairs.len(), "another pair, too", "other pairs, too");
+    let more = other_cases_in_words(far_pairs.len(), "another pair, too", "other pairs, too");
     let text = format!("{}{more}", describe_places(worst));
-    about_spheres(&LEFT_RIGHT_PLACES, text, far_pairs.iter().map(|(_, pair)| pair.left.sphere))
+    finding_about_spheres(&LEFT_RIGHT_PLACES, text, far_pairs.iter().map(|(_, pair)| pair.left.sphere))
 }
 
 /// Like [`SAME_PLACE_OF_BONE`], if all numbers of the left places are those of the right ones: they were copied, not mirrored.
@@ -284,9 +285,9 @@ pub(super) fn find_left_right_missing(sides: &BothSides<'_>) -> Option<Finding> 
         shown(&sphere.name),
         shown(body),
         shown(other_body),
-        and_others(all.len(), "another sphere neither", "other spheres neither")
+        other_cases_in_words(all.len(), "another sphere neither", "other spheres neither")
     );
-    about_spheres(&LEFT_RIGHT_MISSING, text, all.iter().map(|(sphere, _, _)| *sphere))
+    finding_about_spheres(&LEFT_RIGHT_MISSING, text, all.iter().map(|(sphere, _, _)| *sphere))
 }
 
 rule! { pub(super) LEFT_RIGHT_OFF: LeftRightOff, Warning, Sides;
@@ -321,7 +322,7 @@ pub(super) fn find_left_right_off(sides: &BothSides<'_>) -> Option<Finding> {
         shown(&first.sphere.name),
         shown(&counterpart.sphere.name)
     );
-    about_spheres(&LEFT_RIGHT_OFF, text, off.iter().map(|[off, _]| off.sphere))
+    finding_about_spheres(&LEFT_RIGHT_OFF, text, off.iter().map(|[off, _]| off.sphere))
 }
 
 rule! { pub(super) LEFT_RIGHT_SWAPPED: LeftRightSwapped, Warning, Sides;
@@ -340,18 +341,19 @@ pub(super) fn find_left_right_swapped(sides: &BothSides<'_>) -> Option<Finding> 
         .iter()
         .filter(|placed| Side::of_name(&placed.sphere.name) == Some(placed.side.other()));
     if let Some(first) = of_other_side.clone().next() {
-        let more = and_others(of_other_side.clone().count(), "another sphere, too", "other spheres, too");
+        let more =
+            other_cases_in_words(of_other_side.clone().count(), "another sphere, too", "other spheres, too");
         let text = format!("{} is on {}{more}", shown(&first.sphere.name), shown(first.body));
-        return about_spheres(&LEFT_RIGHT_SWAPPED, text, of_other_side.map(|placed| placed.sphere));
+        return finding_about_spheres(&LEFT_RIGHT_SWAPPED, text, of_other_side.map(|placed| placed.sphere));
     }
     let swapped: Vec<&SpherePair<'_>> = sides.pairs.iter().filter(|pair| is_swapped(pair)).collect();
     let first = swapped.first()?;
-    let more = and_others(swapped.len(), "another pair, too", "other pairs, too");
+    let more = other_cases_in_words(swapped.len(), "another pair, too", "other pairs, too");
     let [right, left] =
         [&first.right, &first.left].map(|placed| (shown(&placed.sphere.name), shown(placed.body)));
     let text = format!("{} is on {}, and {} on {}{more}", right.0, right.1, left.0, left.1);
     let spheres = swapped.iter().flat_map(|pair| [pair.right.sphere, pair.left.sphere]);
-    about_spheres(&LEFT_RIGHT_SWAPPED, text, spheres)
+    finding_about_spheres(&LEFT_RIGHT_SWAPPED, text, spheres)
 }
 
 /// Whether the name of each sphere of the pair has the side of the other sphere.
@@ -384,10 +386,14 @@ pub(super) fn find_one_side_only(sides: &BothSides<'_>) -> Option<Finding> {
                 counted(count, "sphere"),
                 other.as_str()
             );
-            return Some(about_spheres(&ONE_SIDE_ONLY, text, idle)?.with_severity(Severity::Warning));
+            return Some(finding_about_spheres(&ONE_SIDE_ONLY, text, idle)?.with_severity(Severity::Warning));
         }
         let text = format!("only the {} side has contact spheres that meet a floor", first.side.as_str());
-        return about_spheres(&ONE_SIDE_ONLY, text, sides.one_side.iter().map(|placed| placed.sphere));
+        return finding_about_spheres(
+            &ONE_SIDE_ONLY,
+            text,
+            sides.one_side.iter().map(|placed| placed.sphere),
+        );
     }
     let without_body = sides.unpaired.iter().filter(|unpaired| unpaired.other_body.is_none());
     let first = without_body.clone().next()?.sphere;
@@ -396,5 +402,5 @@ pub(super) fn find_one_side_only(sides: &BothSides<'_>) -> Option<Finding> {
         shown(&first.sphere.name),
         shown(first.body)
     );
-    about_spheres(&ONE_SIDE_ONLY, text, without_body.map(|unpaired| unpaired.sphere.sphere))
+    finding_about_spheres(&ONE_SIDE_ONLY, text, without_body.map(|unpaired| unpaired.sphere.sphere))
 }

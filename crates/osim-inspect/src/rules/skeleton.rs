@@ -10,8 +10,8 @@ use osim_model::{
     DVec3, Example, Finding, Force, Model, ModelJoint, Repair, Rule, Side, Sphere, SphereId, without_side,
 };
 
-use crate::rules::misread::find_in_texts;
-use crate::rules::spheres::{about_spheres, and_others};
+use crate::rules::misread::find_misread_texts;
+use crate::rules::spheres::{finding_about_spheres, other_cases_in_words};
 use osim_model::rule;
 
 rule! { pub(super) ODD_PARENT: OddParent, Warning, Sides;
@@ -37,8 +37,8 @@ rule! { pub(super) LEFT_RIGHT_BONES: LeftRightBones, Warning, Sides;
 const MOST_BONES: usize = 64;
 
 /// Finds a body on the wrong side, else limbs that are not mirror images: one finding, because the second follows from the first.
-pub(super) fn find_in_skeleton(model: &Model) -> Vec<Finding> {
-    let mut limbs = Limbs { model, above: HashMap::new(), by_name: BTreeMap::new() };
+pub(super) fn find_wrong_side_or_unlike_limbs(model: &Model) -> Vec<Finding> {
+    let mut limbs = LimbsFromFeet { model, above: HashMap::new(), by_name: BTreeMap::new() };
     for joint in model.joints() {
         if let Some(child) = &joint.child {
             limbs.above.entry(child.as_str()).or_insert(joint);
@@ -52,7 +52,7 @@ pub(super) fn find_in_skeleton(model: &Model) -> Vec<Finding> {
     limbs.find_odd_parent().or_else(|| limbs.find_unlike_bones()).into_iter().collect()
 }
 
-struct Limbs<'m> {
+struct LimbsFromFeet<'m> {
     model: &'m Model,
     /// For each body, the joint that connects it to its parent body.
     above: HashMap<&'m str, &'m ModelJoint>,
@@ -60,7 +60,7 @@ struct Limbs<'m> {
     by_name: BTreeMap<(String, Side), &'m str>,
 }
 
-impl<'m> Limbs<'m> {
+impl<'m> LimbsFromFeet<'m> {
     fn counterpart(&self, body: &str) -> Option<&'m str> {
         self.by_name.get(&(without_side(body), Side::of_name(body)?.other())).copied()
     }
@@ -90,7 +90,7 @@ impl<'m> Limbs<'m> {
             shown(body),
             shown(self.parent(body).unwrap_or("ground")),
             self.describe_distance(body).unwrap_or_default(),
-            and_others(odd.len(), "another body, too", "other bodies, too")
+            other_cases_in_words(odd.len(), "another body, too", "other bodies, too")
         );
         self.finding(&ODD_PARENT, body, text)
     }
@@ -153,7 +153,7 @@ impl<'m> Limbs<'m> {
             |joint: &&ModelJoint| Some(components.tree.path(components.at(joint.file, joint.element)?));
         let paths: Vec<String> = joints.filter_map(joint_path).collect();
         let is_in_joint = |place: &str| paths.iter().any(|path| place.starts_with(path));
-        find_in_texts(self.model).iter().any(|found| found.place.as_deref().is_some_and(is_in_joint))
+        find_misread_texts(self.model).iter().any(|found| found.place.as_deref().is_some_and(is_in_joint))
     }
 
     /// How far the joints above two bodies are from being mirror images, m. Distances do not depend on the directions of the axes of bodies,
@@ -243,13 +243,13 @@ pub(super) fn foot_spheres_on_ground(model: &Model) -> Vec<&Sphere> {
 pub(super) fn find_foot_sphere_on_ground(model: &Model) -> Vec<Finding> {
     let on_ground = foot_spheres_on_ground(model);
     let Some(first) = on_ground.first() else { return Vec::new() };
-    let more = and_others(on_ground.len(), "another sphere, too", "other spheres, too");
+    let more = other_cases_in_words(on_ground.len(), "another sphere, too", "other spheres, too");
     let place = match &first.body {
         Some(body) => format!("on {}, which is welded to ground", shown(body)),
         None => "on ground".to_owned(),
     };
     let text = format!("{} belongs to a foot, and is {place}{more}", shown(&first.name));
-    about_spheres(&FOOT_SPHERE_ON_GROUND, text, on_ground.iter().copied()).into_iter().collect()
+    finding_about_spheres(&FOOT_SPHERE_ON_GROUND, text, on_ground.iter().copied()).into_iter().collect()
 }
 
 rule! { pub(super) ROOT_HELD: RootHeld, Remark, Standing;
@@ -265,7 +265,7 @@ pub(super) fn find_root_held(model: &Model) -> Vec<Finding> {
     let spheres = model.loaded_spheres(&model.force_ids());
     let held = held_roots(model, spheres.iter().filter_map(|&id| model.sphere(id)?.body.as_deref()));
     let Some((root, why)) = held.first() else { return Vec::new() };
-    let more = and_others(held.len(), "another root, too", "other roots, too");
+    let more = other_cases_in_words(held.len(), "another root, too", "other roots, too");
     let text =
         format!("{} is held: {why}; contacts carry nothing in a forward simulation{more}", shown(root));
     vec![Finding::new(&ROOT_HELD, text)]

@@ -21,7 +21,7 @@ rule! { pub(super) FLOATS: Floats, Error, Mass;
     example: Example::ElementText { tag: "constant_contact_force", good: "9e-07", bad: "0.0001" },
 }
 
-pub(super) fn find_floats(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> {
+pub(super) fn find_floating_body(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> {
     let above =
         |sphere: &SphereFigures| sphere.value(Figure::IndentationModelLaw).filter(|&x| x <= 0.0).map(|x| -x);
     let affected = check.spheres_with(above)?;

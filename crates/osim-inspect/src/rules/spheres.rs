@@ -11,7 +11,7 @@ use crate::sides::{BothSides, place_key};
 use osim_model::rule;
 
 /// A finding about all of `spheres`, placed at the first sphere; `None` if `spheres` is empty.
-pub(super) fn about_spheres<'s>(
+pub(super) fn finding_about_spheres<'s>(
     rule: &'static Rule,
     text: String,
     spheres: impl Iterator<Item = &'s Sphere> + Clone,
@@ -24,7 +24,7 @@ pub(super) fn about_spheres<'s>(
 
 /// The end of a message about the first of `count` cases: empty for one case, `one` for two cases; for more, the number of the other cases
 /// and `several`.
-pub(super) fn and_others(count: usize, one: &str, several: &str) -> String {
+pub(super) fn other_cases_in_words(count: usize, one: &str, several: &str) -> String {
     match count {
         0 | 1 => String::new(),
         2 => format!("; {one}"),
@@ -34,18 +34,18 @@ pub(super) fn and_others(count: usize, one: &str, several: &str) -> String {
 
 /// A sphere is too far from the nearest joint of its body if the distance exceeds this part of the limb's longest bone. Published spheres
 /// are at most 0.353 away.
-const FAR_OVER_BONE: f64 = 0.6;
-/// Like [`FAR_OVER_BONE`], for a body without a side. This only finds another unit, because such a body, for example the last link of a
+const LARGEST_DISTANCE_OVER_BONE: f64 = 0.6;
+/// Like [`LARGEST_DISTANCE_OVER_BONE`], for a body without a side. This only finds another unit, because such a body, for example the last link of a
 /// pendulum, can be long.
-const FAR_WITHOUT_SIDE: f64 = 10.0;
+const LARGEST_DISTANCE_OVER_BONE_WITHOUT_SIDE: f64 = 10.0;
 /// A sphere within this many radii of gyration of the centre of mass of its body is not too far. Published spheres are at most 2.7 away.
-const NEAR_IN_GYRATION: f64 = 4.0;
-/// Like [`FAR_OVER_BONE`], for the distance sideways. In the 13 models of the corpus with two sides it is at most 0.149 (the outer toes of
+const NEAR_DISTANCE_IN_GYRATION_RADII: f64 = 4.0;
+/// Like [`LARGEST_DISTANCE_OVER_BONE`], for the distance sideways. In the 13 models of the corpus with two sides it is at most 0.149 (the outer toes of
 /// Falisse et al.), because a foot is longer than wide.
-const FAR_SIDEWAYS_OVER_BONE: f64 = 0.25;
-/// Like [`NEAR_IN_GYRATION`], for the distance sideways. In the corpus it is at most 2.8, for spheres at 0.149 of the bone; a foot without
+const LARGEST_SIDEWAYS_DISTANCE_OVER_BONE: f64 = 0.25;
+/// Like [`NEAR_DISTANCE_IN_GYRATION_RADII`], for the distance sideways. In the corpus it is at most 2.8, for spheres at 0.149 of the bone; a foot without
 /// a limb has spheres at 0.38 of its own bone and less than 2 radii of gyration.
-const NEAR_SIDEWAYS_IN_GYRATION: f64 = 2.0;
+const NEAR_SIDEWAYS_DISTANCE_IN_GYRATION_RADII: f64 = 2.0;
 
 rule! { pub(super) ODD_PLACE: OddPlace, Warning, Sizes;
     what: "A sphere is far from the body that carries it.",
@@ -64,11 +64,11 @@ pub(super) fn find_odd_place(sides: &BothSides<'_>) -> Option<Finding> {
     let mut far: Vec<FarSphere<'_>> = Vec::new();
     for (sphere, body, place_m) in sides.spheres() {
         let extent = bodies.entry(body).or_insert_with(|| BodyExtent::of(body, shapes.get(body)?, sides));
-        far.extend(extent.as_ref().and_then(|extent| extent.find_far(sphere, place_m)));
+        far.extend(extent.as_ref().and_then(|extent| extent.find_far_sphere(sphere, place_m)));
     }
     far.sort_by(|a, b| b.times_limit().total_cmp(&a.times_limit()));
     let worst = far.first()?;
-    about_spheres(&ODD_PLACE, describe_far(worst, far.len()), far.iter().map(|far| far.sphere))
+    finding_about_spheres(&ODD_PLACE, describe_far(worst, far.len()), far.iter().map(|far| far.sphere))
 }
 
 /// The size of a body, with which the distances of its spheres are compared.
@@ -94,13 +94,14 @@ struct FarSphere<'m> {
 impl<'m> BodyExtent<'m> {
     fn of(body: &str, shape: &'m BodyShape, sides: &BothSides<'_>) -> Option<Self> {
         let has_side = Side::of_name(body).is_some();
-        let limit = if has_side { FAR_OVER_BONE } else { FAR_WITHOUT_SIDE };
+        let limit =
+            if has_side { LARGEST_DISTANCE_OVER_BONE } else { LARGEST_DISTANCE_OVER_BONE_WITHOUT_SIDE };
         let sideways = sides.sideways_axis(body).filter(|_| has_side);
         Some(Self { shape, bone_m: sides.longest_bone_of_limb_m(body)?, limit, sideways })
     }
 
     /// The distance of `sphere` from the nearest joint, if it is too large in any direction, or else sideways.
-    fn find_far<'s>(&self, sphere: &'s Sphere, place_m: DVec3) -> Option<FarSphere<'s>> {
+    fn find_far_sphere<'s>(&self, sphere: &'s Sphere, place_m: DVec3) -> Option<FarSphere<'s>> {
         let far = |from_joint_m, limit, is_sideways| FarSphere {
             sphere,
             from_joint_m,
@@ -110,13 +111,13 @@ impl<'m> BodyExtent<'m> {
         };
         let in_all_axes = far(self.nearest_joint_m(|joint_m| joint_m.distance(place_m)), self.limit, false);
         let from_centre_m = self.shape.centre_m.distance(place_m);
-        if in_all_axes.is_too_far() && !self.is_near(from_centre_m, NEAR_IN_GYRATION) {
+        if in_all_axes.is_too_far() && !self.is_near(from_centre_m, NEAR_DISTANCE_IN_GYRATION_RADII) {
             return Some(in_all_axes);
         }
         let axis = self.sideways?;
         let apart = |other: DVec3| (other[axis] - place_m[axis]).abs();
-        let sideways = far(self.nearest_joint_m(apart), FAR_SIDEWAYS_OVER_BONE, true);
-        let is_near = self.is_near(apart(self.shape.centre_m), NEAR_SIDEWAYS_IN_GYRATION);
+        let sideways = far(self.nearest_joint_m(apart), LARGEST_SIDEWAYS_DISTANCE_OVER_BONE, true);
+        let is_near = self.is_near(apart(self.shape.centre_m), NEAR_SIDEWAYS_DISTANCE_IN_GYRATION_RADII);
         (sideways.is_too_far() && !is_near).then_some(sideways)
     }
 
@@ -147,7 +148,7 @@ impl FarSphere<'_> {
 }
 
 fn describe_far(worst: &FarSphere<'_>, count: usize) -> String {
-    let more = and_others(count, "another sphere, too", "other spheres, too");
+    let more = other_cases_in_words(count, "another sphere, too", "other spheres, too");
     format!(
         "{} is {} m{} from the nearest joint of {}, {} of the limb's longest bone ({} m), expected at most {}{more}",
         shown(&worst.sphere.name),
@@ -184,13 +185,13 @@ rule! { pub(super) ODD_RADIUS: OddRadius, Warning, Sizes;
 pub(super) fn find_odd_radius(sides: &BothSides<'_>) -> Option<Finding> {
     let extents = FootExtents::of(sides);
     let find = |(sphere, body, _): (_, &str, _)| {
-        find_odd(sphere, sides.longest_bone_of_limb_m(body)?, extents.extent_m(body))
+        find_odd_radius_of_sphere(sphere, sides.longest_bone_of_limb_m(body)?, extents.extent_m(body))
     };
     let mut odd: Vec<OddRadius<'_>> = sides.spheres().filter_map(find).collect();
     odd.sort_by(|a, b| b.times_limit().total_cmp(&a.times_limit()));
     let Some(worst) = odd.first() else { return find_large_against_mass(sides) };
     let text = describe_odd_radius(worst, odd.len(), sides.model);
-    about_spheres(&ODD_RADIUS, text, odd.iter().map(|odd| odd.sphere))
+    finding_about_spheres(&ODD_RADIUS, text, odd.iter().map(|odd| odd.sphere))
 }
 
 /// One finding for all radii on limbs that are too large against the mass, though not against the bones: all lengths are in another unit.
@@ -207,9 +208,9 @@ fn find_large_against_mass(sides: &BothSides<'_>) -> Option<Finding> {
         shown(&first.name),
         readable(first.radius.number),
         three_significant(against_mass(first)),
-        and_others(large.len(), "another radius, too", "other radii, too")
+        other_cases_in_words(large.len(), "another radius, too", "other radii, too")
     );
-    about_spheres(&ODD_RADIUS, text, large.iter().copied())
+    finding_about_spheres(&ODD_RADIUS, text, large.iter().copied())
 }
 
 /// A sphere whose radius is too large or too small for its limb.
@@ -226,7 +227,7 @@ impl OddRadius<'_> {
     }
 }
 
-fn find_odd(sphere: &Sphere, bone_m: f64, extent_m: Option<f64>) -> Option<OddRadius<'_>> {
+fn find_odd_radius_of_sphere(sphere: &Sphere, bone_m: f64, extent_m: Option<f64>) -> Option<OddRadius<'_>> {
     let radius_m = sphere.radius_m().ok()?;
     let part_of_bone = radius_m / bone_m;
     let is_large = part_of_bone > LARGE_RADIUS_OF_BONE
@@ -273,7 +274,7 @@ impl<'m> FootExtents<'m> {
 
 fn describe_odd_radius(worst: &OddRadius<'_>, count: usize, model: &Model) -> String {
     let radius_m = worst.sphere.radius.number;
-    let more = and_others(count, "another radius, too", "other radii, too");
+    let more = other_cases_in_words(count, "another radius, too", "other radii, too");
     let mass_kg = MassRequest::default().bodies_kg(model).filter(|kg| *kg > 0.0);
     let against_mass = mass_kg
         .map(|kg| format!(" (R / M^(1/3) is {} m/kg^(1/3))", three_significant(radius_m / libm::cbrt(kg))));
@@ -325,7 +326,7 @@ pub(super) fn find_heavy_foot(sides: &BothSides<'_>) -> Option<Finding> {
         );
     }
     let (foot, foot_kg, (kg, above)) = heavy.first()?;
-    let more = and_others(heavy.len(), "another foot, too", "other feet, too");
+    let more = other_cases_in_words(heavy.len(), "another foot, too", "other feet, too");
     let [foot_kg, kg] = [*foot_kg, *kg].map(three_significant);
     let text = format!("{} weighs {foot_kg} kg, more than {} ({kg} kg){more}", shown(foot), shown(above));
     let body = all.get(foot)?;
@@ -360,12 +361,12 @@ pub(super) fn find_crowded_spheres(sides: &BothSides<'_>) -> Option<Finding> {
     let on_sides = || by_body.values().flatten();
     if by_body.len() > 1 && on_sides().all(|(_, place_m)| *place_m == DVec3::ZERO) {
         let text = format!("all {} spheres are at the origins of their bodies", on_sides().count());
-        return about_spheres(&CROWDED_SPHERES, text, on_sides().map(|(sphere, _)| *sphere));
+        return finding_about_spheres(&CROWDED_SPHERES, text, on_sides().map(|(sphere, _)| *sphere));
     }
     crowds.sort_by(|a, b| a.part_of_bone().total_cmp(&b.part_of_bone()));
     let worst = crowds.first()?;
     let text = describe_crowd(worst, crowds.len())?;
-    about_spheres(&CROWDED_SPHERES, text, crowds.iter().flat_map(|crowd| &crowd.spheres).copied())
+    finding_about_spheres(&CROWDED_SPHERES, text, crowds.iter().flat_map(|crowd| &crowd.spheres).copied())
 }
 
 /// Spheres of one body that are nearly in one place.
@@ -439,7 +440,7 @@ pub(super) fn find_doubled_spheres(sides: &BothSides<'_>) -> Option<Finding> {
         }
     }
     let [first, second] = *doubled.first()?;
-    let more = and_others(doubled.len(), "another pair, too", "other pairs, too");
+    let more = other_cases_in_words(doubled.len(), "another pair, too", "other pairs, too");
     let body = second.body.as_deref().unwrap_or_default();
     let text = format!(
         "{} and {} are at the same place of {}{more}",
@@ -447,5 +448,5 @@ pub(super) fn find_doubled_spheres(sides: &BothSides<'_>) -> Option<Finding> {
         shown(&second.name),
         shown(body)
     );
-    about_spheres(&DOUBLED_SPHERES, text, doubled.iter().map(|[_, second]| *second))
+    finding_about_spheres(&DOUBLED_SPHERES, text, doubled.iter().map(|[_, second]| *second))
 }

@@ -8,10 +8,10 @@ use osim_model::{
     LAST_VERSION_WITH_IS_DISABLED, Model, Repair, component_classes, opensim_text,
 };
 
-use crate::rules::spheres::and_others;
+use crate::rules::spheres::other_cases_in_words;
 use osim_model::rule;
 
-/// Applies all rules of this file.
+/// Finds objects, names and forms of documents that OpenSim refuses or ignores.
 pub(super) fn find_unread(model: &Model) -> Vec<Finding> {
     let rules = [
         find_body_without_joint,
@@ -38,7 +38,7 @@ fn find_body_without_joint(model: &Model) -> Vec<Finding> {
         return Vec::new();
     };
     let path = components.tree.path(first);
-    let others = and_others(bodies.len(), "another body, too", "other bodies, too");
+    let others = other_cases_in_words(bodies.len(), "another body, too", "other bodies, too");
     let text = format!("{path} has no joint: OpenSim refuses the model{others}");
     vec![Finding::at(&BODY_WITHOUT_JOINT, components.position_of(first), text).with_place(&path)]
 }
@@ -102,7 +102,7 @@ fn find_misplaced_objects(model: &Model) -> Vec<Finding> {
             "ContactGeometrySet" => FORCE_CLASSES.contains(&tag),
             _ => false,
         };
-        let tree = components.doc(id).tree();
+        let tree = components.document_of(id).tree();
         is_of_other_kind
             && tree.parent(components.element(id)).is_some_and(|list| tree.name(list) == "objects")
     };
@@ -112,7 +112,7 @@ fn find_misplaced_objects(model: &Model) -> Vec<Finding> {
         .filter_map(|(id, component)| Some((id, component.parent.filter(|&set| is_misplaced(id, set))?)));
     let finding = |(id, set, count)| {
         let path = components.tree.path(id);
-        let others = and_others(count, "another object, too", "other objects, too");
+        let others = other_cases_in_words(count, "another object, too", "other objects, too");
         let text = format!("a {} is in the {}: {path}{others}", components.tag(id), components.tag(set));
         Finding::at(&MISPLACED_OBJECT, components.position_of(id), text).with_place(&path)
     };
@@ -172,7 +172,7 @@ fn find_ignored_contacts_in_file(model: &Model, file: FileId) -> Vec<Finding> {
     });
     let finding = |(first, parent, count)| {
         let name = tree.attribute(first, "name").unwrap_or_default();
-        let others = and_others(count, "another object, too", "other objects, too");
+        let others = other_cases_in_words(count, "another object, too", "other objects, too");
         let place = place_in_words(document, parent);
         let text = format!("OpenSim does not read {} {}, {place}{others}", tree.name(first), shown(&name));
         Finding::at(&IGNORED_CONTACTS, document.position_of(first), text)
@@ -211,7 +211,7 @@ const MOST_WRONG_LETTERS: usize = 2;
 
 /// Finds classes, and properties of contacts and of the sets around them, whose names are nearly OpenSim's names.
 fn find_unknown_names(model: &Model) -> Vec<Finding> {
-    let in_file = |file| find_unknown_names_in(model, file);
+    let in_file = |file| find_unknown_names_in_file(model, file);
     find_unknown_classes(model).into_iter().chain(files_of_model(model).flat_map(in_file)).collect()
 }
 
@@ -224,14 +224,15 @@ fn find_unknown_classes(model: &Model) -> Vec<Finding> {
     let finding = |(file, element)| {
         let tree = components.document(file).tree();
         let class = tree.name(element);
-        let meant = (*known.entry(class).or_insert_with(|| likely_name(class, component_classes())))?;
-        Some(about_unknown_name(model, file, element, element, meant))
+        let meant =
+            (*known.entry(class).or_insert_with(|| probable_property_name(class, component_classes())))?;
+        Some(finding_about_unknown_name(model, file, element, element, meant))
     };
     all.filter_map(finding).collect()
 }
 
 /// The finding about the name of `element`, which is in the component at `owner` or is that component.
-fn about_unknown_name(
+fn finding_about_unknown_name(
     model: &Model,
     file: FileId,
     owner: ElementId,
@@ -254,7 +255,7 @@ fn path_of_component(model: &Model, file: FileId, element: ElementId) -> String 
     component.map(|id| components.tree.path(id)).unwrap_or_default()
 }
 
-fn find_unknown_names_in(model: &Model, file: FileId) -> Vec<Finding> {
+fn find_unknown_names_in_file(model: &Model, file: FileId) -> Vec<Finding> {
     let document = model.file(file);
     let tree = document.tree();
     let (mut found, mut meant) = (Vec::new(), MeantNames::new());
@@ -287,8 +288,10 @@ pub(super) fn find_unknown_children<'a>(
     let tree = model.file(file).tree();
     let finding = |child| {
         let (class, name) = (tree.name(owner), tree.name(child));
-        let meant = (*meant.entry((class, name)).or_insert_with(|| likely_name(name, known)))?;
-        tree.child(owner, meant).is_none().then(|| about_unknown_name(model, file, owner, child, meant))
+        let meant = (*meant.entry((class, name)).or_insert_with(|| probable_property_name(name, known)))?;
+        tree.child(owner, meant)
+            .is_none()
+            .then(|| finding_about_unknown_name(model, file, owner, child, meant))
     };
     tree.children(owner).filter(|_| !known.is_empty()).filter_map(finding).collect()
 }
@@ -319,7 +322,7 @@ pub(super) fn known_children(document: &Document, id: ElementId) -> Option<&'sta
 }
 
 /// The name among `known` that was probably meant by `name`; `None` if OpenSim knows `name`, or no known name is near.
-fn likely_name(name: &str, known: &[&'static str]) -> Option<&'static str> {
+fn probable_property_name(name: &str, known: &[&'static str]) -> Option<&'static str> {
     if known.contains(&name) || name.len() <= 2 * MOST_WRONG_LETTERS {
         return None;
     }

@@ -19,7 +19,7 @@ use crate::load::{ContactsOrigin, InspectOptions, LoadSharing, MassMismatch, Sta
 
 /// The weight of a body, and the spheres that carry it.
 #[derive(Debug, Clone)]
-pub struct Weight {
+pub struct CarriedWeight {
     /// Mass M of the body whose weight presses on the spheres, kg.
     pub mass_kg: f64,
     /// Gravity g on the body, m/s².
@@ -30,7 +30,7 @@ pub struct Weight {
     pub spheres: Vec<Spheres>,
 }
 
-impl Weight {
+impl CarriedWeight {
     /// Weight of the body, M g, in N.
     pub fn body_weight_n(&self) -> f64 {
         self.mass_kg * self.gravity_m_s2
@@ -66,7 +66,7 @@ pub struct ContactBody {
     /// Kinds of the body's spheres, in the order of the file.
     pub kinds: Vec<SphereKind>,
     /// Weight of the body, or the reason why it is not known.
-    pub weight: Result<Weight, Failure>,
+    pub weight: Result<CarriedWeight, Failure>,
     /// The mass that the contacts are made for, kg, or the reason why it is not known.
     contacts_mass_kg: Result<f64, Failure>,
     /// The mass in the note and the mass of the bodies, if they disagree.
@@ -112,7 +112,7 @@ impl ContactBody {
         let law = Law::of(&preset.contact, scale.radius_m())?;
         let on_limbs = scale.sphere_count() * stance.limbs.unwrap_or(1.0);
         let sphere_count = stance.spheres.unwrap_or(on_limbs);
-        let weight = Weight {
+        let weight = CarriedWeight {
             mass_kg: masses.model_kg.unwrap_or(scale.mass_kg()),
             gravity_m_s2: stance.gravity_m_s2.unwrap_or(scale.gravity_m_s2()),
             sphere_count,
@@ -150,7 +150,7 @@ impl ContactBody {
         let kinds: Vec<SphereKind> = kinds.collect();
         let weight = match &self.weight {
             Err(failure) => Err(failure.clone()),
-            Ok(weight) => Ok(Weight {
+            Ok(weight) => Ok(CarriedWeight {
                 mass_kg: target_mass_kg,
                 spheres: scaled_spheres(&self.kinds, &kinds, &weight.spheres).map_err(failed)?,
                 ..*weight
@@ -184,7 +184,7 @@ impl ContactBody {
     ///
     /// # Errors
     /// Why the weight is not known.
-    pub fn weight(&self) -> Result<&Weight, Failure> {
+    pub fn weight(&self) -> Result<&CarriedWeight, Failure> {
         self.weight.as_ref().map_err(Failure::clone)
     }
 
@@ -237,7 +237,12 @@ fn fault_of_no_force() -> Fault {
     Fault::refused("all chosen forces are switched off: there is no contact to work with")
 }
 
-fn weight(model: &Model, forces: &[ForceId], masses: &MassRequest, stance: &Stance) -> Result<Weight, Fault> {
+fn weight(
+    model: &Model,
+    forces: &[ForceId],
+    masses: &MassRequest,
+    stance: &Stance,
+) -> Result<CarriedWeight, Fault> {
     let mass_kg = masses.model_mass(model)?.kg;
     let sharing = LoadSharing::of(model, forces);
     let sphere_count = sharing.count(stance.spheres, stance.limb_count(model), CountedSpheres::Model)?;
@@ -247,7 +252,7 @@ fn weight(model: &Model, forces: &[ForceId], masses: &MassRequest, stance: &Stan
     };
     let spheres = standing_spheres(model, forces, sphere_count)?;
     let gravity_m_s2 = gravity_m_s2 * weight_share_on_floor(model, &sharing.forces);
-    Ok(Weight { mass_kg, gravity_m_s2, sphere_count, spheres })
+    Ok(CarriedWeight { mass_kg, gravity_m_s2, sphere_count, spheres })
 }
 
 /// The chosen spheres, each with the number of the `count` spheres that it represents: 1/2 if one of two limbs carries the body. If only

@@ -5,7 +5,7 @@ use contact_scaling::{Law, Spheres, equilibrium, limits, restitution, smoothing}
 use osim_model::files::Failure;
 use osim_requests::DropHeight;
 
-use crate::series::body::{ContactBody, SphereKind, Weight};
+use crate::series::body::{CarriedWeight, ContactBody, SphereKind};
 use crate::series::sampling::{ForceUnit, PlotUnits, Point, equal_breaks, sample_curve, thin_out};
 
 /// Force against indentation of one kind of sphere.
@@ -99,7 +99,7 @@ pub fn default_range(bodies: &[ContactBody]) -> (f64, f64) {
 }
 
 /// The equilibrium of one kind of sphere under its share of the body weight, by the law of the file: x in m, and the share in N.
-fn point_at_rest(weight: &Weight, kind: &SphereKind) -> Option<Point> {
+fn point_at_rest(weight: &CarriedWeight, kind: &SphereKind) -> Option<Point> {
     let law = Law::of(&kind.contact, kind.radius_m).ok()?;
     let spheres = [Spheres::new(law, 1.0).ok()?];
     let share = weight.share_n();
@@ -232,7 +232,7 @@ pub fn drop_force(body: &ContactBody, height: DropHeight, duration_s: f64) -> Re
 
 /// The number of samples that show the peaks of a drop. It depends on the duration of the first contact, or on half an oscillation around
 /// the equilibrium, whichever is shorter.
-fn sample_count(report: &DropReport, weight: &Weight, duration_s: f64) -> usize {
+fn sample_count(report: &DropReport, weight: &CarriedWeight, duration_s: f64) -> usize {
     let contact_s = report.first_contact.and_then(|contact| contact.end).map(|end| end.contact_time_s);
     let stiffness_n_m = weight.sphere_count * report.equilibrium_stiffness_n_m;
     let oscillation_s = std::f64::consts::PI * (weight.mass_kg / stiffness_n_m).sqrt();

@@ -46,7 +46,7 @@ pub struct HeatSeries {
 
 /// A parameter that the heat map varies.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Parameter {
+pub enum HeatParameter {
     Stiffness,
     Dissipation,
 }
@@ -54,7 +54,7 @@ pub enum Parameter {
 /// A quantity along the only parameter that changes it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Profile {
-    pub along: Parameter,
+    pub along: HeatParameter,
     /// The quantity over the parameter, at more values than the grid of the heat map has.
     pub points: Vec<Point>,
     /// The point for the present parameter of the body; `None` if the quantity has no value at this point.
@@ -112,7 +112,7 @@ pub fn heat(
 }
 
 /// The only parameter that changes the values; `None` if both parameters change them, or none does.
-fn only_parameter(values: &[Vec<Option<f64>>]) -> Option<Parameter> {
+fn only_parameter(values: &[Vec<Option<f64>>]) -> Option<HeatParameter> {
     let same = |a: &Option<f64>, b: &Option<f64>| match (a, b) {
         (Some(a), Some(b)) => (a - b).abs() <= SAME_QUANTITY * a.abs(),
         (None, None) => true,
@@ -121,8 +121,8 @@ fn only_parameter(values: &[Vec<Option<f64>>]) -> Option<Parameter> {
     let rows_alike = values.windows(2).all(|rows| rows[0].iter().zip(&rows[1]).all(|(a, b)| same(a, b)));
     let columns_alike = values.iter().all(|row| row.windows(2).all(|pair| same(&pair[0], &pair[1])));
     match (rows_alike, columns_alike) {
-        (true, false) => Some(Parameter::Stiffness),
-        (false, true) => Some(Parameter::Dissipation),
+        (true, false) => Some(HeatParameter::Stiffness),
+        (false, true) => Some(HeatParameter::Dissipation),
         _ => None,
     }
 }
@@ -193,10 +193,10 @@ impl<'s> HeatSweep<'s> {
     }
 
     /// The quantity along one parameter; the other parameter keeps its present value.
-    fn profile(&self, along: Parameter, (x, y): (&[f64], &[f64]), present: (f64, f64)) -> Profile {
+    fn profile(&self, along: HeatParameter, (x, y): (&[f64], &[f64]), present: (f64, f64)) -> Profile {
         let (grid, at_present, value): (_, _, &dyn Fn(f64) -> Option<f64>) = match along {
-            Parameter::Stiffness => (x, present.0, &|stiffness| self.value(stiffness, present.1)),
-            Parameter::Dissipation => (y, present.1, &|dissipation| self.value(present.0, dissipation)),
+            HeatParameter::Stiffness => (x, present.0, &|stiffness| self.value(stiffness, present.1)),
+            HeatParameter::Dissipation => (y, present.1, &|dissipation| self.value(present.0, dissipation)),
         };
         let point = |at: f64| Some((at, value(at)?));
         Profile {

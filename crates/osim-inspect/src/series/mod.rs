@@ -5,7 +5,7 @@ mod curves;
 mod heat;
 mod sampling;
 
-pub use body::{ContactBody, ReferenceState, SphereKind, Weight, standing_spheres};
+pub use body::{CarriedWeight, ContactBody, ReferenceState, SphereKind, standing_spheres};
 pub use curves::{
     DropSeries, ForceSeries, LoopSeries, bodies_and_kinds, contact_state, curve_name, default_duration,
     default_range, drop_force, force, force_at_rest, hysteresis, impact_speed, run_drop_test, thresholds,

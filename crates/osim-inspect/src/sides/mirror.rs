@@ -38,7 +38,7 @@ impl<'m> BoneSizes<'m> {
         let (left, right) = (meshes.get(left)?, meshes.get(right)?);
         let mut ratios = same_bones(left, right).into_iter().filter_map(|(l, r)| left_over_right(l, r));
         let first = ratios.next()?;
-        ratios.all(|other| other.into_iter().zip(first).all(|(a, b)| close(a, b))).then_some(first)
+        ratios.all(|other| other.into_iter().zip(first).all(|(a, b)| is_close(a, b))).then_some(first)
     }
 }
 
@@ -70,7 +70,7 @@ fn left_over_right(left: &[f64; 3], right: &[f64; 3]) -> Option<[f64; 3]> {
 }
 
 /// Whether two values are equal apart from rounding.
-pub(crate) fn close(value: f64, expected: f64) -> bool {
+pub(crate) fn is_close(value: f64, expected: f64) -> bool {
     (value - expected).abs() <= 1e-6 * expected.abs()
 }
 
@@ -109,7 +109,7 @@ pub(crate) struct BodyPair<'m> {
 
 impl BodyPair<'_> {
     /// The two mirror images on the left body of a place on the right body: without scaling, and scaled by the sizes of the bones.
-    pub(crate) fn images(&self, right_m: DVec3) -> Option<[DVec3; 2]> {
+    pub(crate) fn mirror_images(&self, right_m: DVec3) -> Option<[DVec3; 2]> {
         let mirrored = self.signs? * right_m;
         Some([mirrored, self.sizes.unwrap_or(DVec3::ONE) * mirrored])
     }
@@ -123,12 +123,12 @@ impl BodyPair<'_> {
 
     /// The distance of a place on the left body from the nearest mirror image of a place on the right body, m.
     pub(crate) fn apart_m(&self, right_m: DVec3, left_m: DVec3) -> Option<f64> {
-        nearest_distance(self.images(right_m)?, left_m)
+        nearest_distance(self.mirror_images(right_m)?, left_m)
     }
 
     /// The axis whose sign is wrong in one of two places: with the other sign the places are mirror images within `within_m`.
     pub(crate) fn axis_with_wrong_sign(&self, right_m: DVec3, left_m: DVec3, within_m: f64) -> Option<char> {
-        let images = self.images(right_m)?;
+        let images = self.mirror_images(right_m)?;
         let axis = (0..3).find(|&axis| {
             let mut other = left_m;
             other[axis] = -other[axis];
@@ -246,7 +246,7 @@ fn landmarks<'m>(model: &Model, paired: &HashSet<&'m str>) -> HashMap<&'m str, B
     let mut landmarks: HashMap<&str, BTreeMap<Landmark, DVec3>> = HashMap::new();
     for (id, _) in components.tree.iter().filter(|(id, _)| components.tag(*id) == "Body") {
         let Some(&body) = paired.get(components.name(id).as_ref()) else { continue };
-        if let Some(centre) = components.doc(id).triple(components.element(id), "mass_center") {
+        if let Some(centre) = components.document_of(id).triple(components.element(id), "mass_center") {
             landmarks.entry(body).or_default().insert(Landmark::CentreOfMass, centre.into());
         }
     }

@@ -11,7 +11,7 @@ use foldhash::{HashMap, HashMapExt};
 use osim_model::messages::{readable, shown};
 use osim_model::{DVec3, Force, ForceId, Model, ParameterSet, Property, SetId, Side, Sphere, Value};
 
-use crate::sides::mirror::{BodyPairs, BoneSizes, close};
+use crate::sides::mirror::{BodyPairs, BoneSizes, is_close};
 use crate::sides::pairs::{SetsBySphere, SpherePairs, UnpairedSphere};
 pub(crate) use pairs::{SAME_PLACE_OF_BONE, SideSphere, SpherePair, place_key};
 
@@ -89,7 +89,7 @@ impl<'m> BothSides<'m> {
         let mut pairs = spheres.filter_map(|&index| self.pairs.get(index));
         pairs.any(|pair| {
             let ratios = self.bones.ratios(pair.left.body, pair.right.body);
-            ratios.is_some_and(|ratios| ratios.into_iter().any(|ratio| !close(ratio, 1.0)))
+            ratios.is_some_and(|ratios| ratios.into_iter().any(|ratio| !is_close(ratio, 1.0)))
         })
     }
 
@@ -269,9 +269,10 @@ impl SetPair<'_> {
             |property: Property| values_of_set(self.right.0, self.right.1).find(|r| r.property == property);
         let both = values_of_set(self.left.0, self.left.1).filter_map(|l| Some((l, right(l.property)?)));
         let differing = both.filter(|(l, r)| {
-            let follows =
-                |ratios| radius_factor(l.property, ratios).is_some_and(|by| close(l.number, by * r.number));
-            !(l.number.is_nan() || close(l.number, r.number) || ratios.as_ref().is_some_and(follows))
+            let follows = |ratios| {
+                radius_factor(l.property, ratios).is_some_and(|by| is_close(l.number, by * r.number))
+            };
+            !(l.number.is_nan() || is_close(l.number, r.number) || ratios.as_ref().is_some_and(follows))
         });
         let difference = |(l, r): (&Value, &Value)| {
             let what = format!("{} is {} and {}", l.property, l.number, r.number);
@@ -296,7 +297,7 @@ impl SetPair<'_> {
         };
         let radius = (mean_square(self.left.1) / mean_square(self.right.1)).sqrt();
         let values = RatioValues { mass: 1.0, sphere_count: 1.0, radius, gravity: 1.0 };
-        (!close(radius, 1.0)).then(|| Ratios::new(values).ok()).flatten()
+        (!is_close(radius, 1.0)).then(|| Ratios::new(values).ok()).flatten()
     }
 }
 
@@ -323,7 +324,7 @@ fn radius_difference(
     let (left, right) = (pair.left.sphere, pair.right.sphere);
     let ratio = left.radius.number / right.radius.number;
     let is_alike = left.radii_m.is_some() == right.radii_m.is_some();
-    if !ratio.is_finite() || close(ratio, 1.0) || !is_alike {
+    if !ratio.is_finite() || is_close(ratio, 1.0) || !is_alike {
         return None;
     }
     let bone_ratios = bones.ratios(pair.left.body, pair.right.body);

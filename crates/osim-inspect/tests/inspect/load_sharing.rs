@@ -91,11 +91,11 @@ fn a_sphere_count_is_given_or_found_or_asked_for() {
     assert_eq!(asked.code(), "sphere-count");
     // Figures are given for each limb all the same.
     let limbs = sharing.limbs.if_known().unwrap();
-    let counts: Vec<f64> = limbs.iter().map(|limb| LoadSharing::count_on(limb, None, 1.0)).collect();
+    let counts: Vec<f64> = limbs.iter().map(|limb| LoadSharing::count_on_limb(limb, None, 1.0)).collect();
     let spheres: Vec<usize> = limbs.iter().map(|limb| limb.spheres.len()).collect();
     assert!(spheres[0] != spheres[1]);
     assert_eq!(counts, [spheres[0] as f64, spheres[1] as f64]);
-    assert_eq!(LoadSharing::count_on(&limbs[0], Some(7.0), 2.0), 7.0);
+    assert_eq!(LoadSharing::count_on_limb(&limbs[0], Some(7.0), 2.0), 7.0);
 }
 
 #[test]

@@ -150,7 +150,7 @@ fn has_radii_of_note(model: &Model) -> bool {
 }
 
 /// A remark on each sphere that is in only one of the models, or on different bodies: its right place is not known.
-fn unmatched(model: &Model, scaled: &Anatomy, original: &Anatomy) -> Vec<Phrase> {
+fn remarks_on_unmatched_spheres(model: &Model, scaled: &Anatomy, original: &Anatomy) -> Vec<Phrase> {
     let loaded = model.loaded_spheres(&model.force_ids());
     let here = loaded.into_iter().filter_map(|id| scaled.spheres.get(id.index()));
     let other = here.filter_map(|now| {
@@ -192,14 +192,15 @@ fn placed_spheres(
     let placed = compared.into_iter().map(|(sphere, now, old, of_body)| {
         let scaled_m = now.rotation.scaled_in_frame(of_body, old.location_m);
         let here_m = now.location_m;
-        let expected_m = [scaled_m, on_sole(now, old, (of_body, now.radius_m), up)];
+        let expected_m = [scaled_m, centre_on_sole(now, old, (of_body, now.radius_m), up)];
         let is_at = |place_m, tolerance_m| is_same_place(here_m, place_m, tolerance_m);
         let rounding_m = SAME_PLACE_M.max(now.rounding_m);
         // A place with all its digits is no other place rounded.
         let tolerance_m = if is_at(old.location_m, SAME_PLACE_M) { SAME_PLACE_M } else { rounding_m };
         // As the proposed transfer writes it.
         let new_radius_m = old.radius_m * RadiusAxis::default().radius_ratio(of_body);
-        let belongs_m = if suits_level { on_sole(now, old, (of_body, new_radius_m), up) } else { scaled_m };
+        let belongs_m =
+            if suits_level { centre_on_sole(now, old, (of_body, new_radius_m), up) } else { scaled_m };
         PlacedSphere {
             name: sphere.name.clone(),
             path: sphere.path.clone(),
@@ -212,7 +213,7 @@ fn placed_spheres(
             stayed: is_at(old.location_m, rounding_m),
         }
     });
-    Ok((placed.collect(), unmatched(model, scaled, original), suits_level))
+    Ok((placed.collect(), remarks_on_unmatched_spheres(model, scaled, original), suits_level))
 }
 
 /// The relative difference of a body's y factor from √(x z).
@@ -226,7 +227,7 @@ pub fn is_stretched(factors: [f64; 3]) -> bool {
 }
 
 /// The centre of a sphere whose bottom stays on the sole, after its body was scaled by the factors.
-fn on_sole(
+fn centre_on_sole(
     now: &AnatomySphere,
     old: &AnatomySphere,
     (factors, radius_m): ([f64; 3], f64),

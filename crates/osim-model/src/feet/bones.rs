@@ -97,7 +97,7 @@ pub(crate) fn read_bone(
     let MeshFile { file, mirrored, bytes } = found_mesh_file(attached, folders, files)?;
     match mesh_points(&file.to_string_lossy(), &bytes) {
         Ok(points) => {
-            let points = points.into_iter().map(|point| on_body(attached, mirrored, point)).collect();
+            let points = points.into_iter().map(|point| point_on_body(attached, mirrored, point)).collect();
             Ok(Bone { file, mirrored, ..Bone::new(body, mesh, points) })
         }
         Err(fault) => Err(FeetFault::Mesh { body, mesh, file, fault }),
@@ -118,11 +118,11 @@ pub fn attached_surface(
         fault,
     };
     let mut surface = mesh_surface(&file.to_string_lossy(), &bytes).map_err(fault)?;
-    surface.points.iter_mut().for_each(|point| *point = on_body(attached, mirrored, *point));
+    surface.points.iter_mut().for_each(|point| *point = point_on_body(attached, mirrored, *point));
     Ok(surface)
 }
 
-fn on_body(attached: &AttachedMesh, mirrored: bool, [x, y, z]: [f64; 3]) -> [f64; 3] {
+fn point_on_body(attached: &AttachedMesh, mirrored: bool, [x, y, z]: [f64; 3]) -> [f64; 3] {
     attached.on_body([x, y, if mirrored { -z } else { z }]).to_array()
 }
 
@@ -298,8 +298,8 @@ pub fn odd_size(model: &Model, bone: &Bone) -> Option<OddMesh> {
     let distances = model.joint_distances();
     let longest_m =
         distances.longest_in_limb(&bone.body).or_else(|| distances.longest_around_body(&bone.body))?;
-    let length_m = length_m(bone);
-    let times = length_m / longest_m;
+    let length_of_bone_m = length_of_bone_m(bone);
+    let times = length_of_bone_m / longest_m;
     if !times.is_finite() || (LEAST_BONE_LENGTHS..=MOST_BONE_LENGTHS).contains(&times) {
         return None;
     }
@@ -308,7 +308,7 @@ pub fn odd_size(model: &Model, bone: &Bone) -> Option<OddMesh> {
          times{}",
         shown(&bone.mesh),
         shown(&bone.body),
-        three_significant(length_m),
+        three_significant(length_of_bone_m),
         three_significant(times),
         three_significant(longest_m),
         repair_advice(times)
@@ -317,7 +317,7 @@ pub fn odd_size(model: &Model, bone: &Bone) -> Option<OddMesh> {
 }
 
 /// The diagonal of the box around the bone's points, m.
-fn length_m(bone: &Bone) -> f64 {
+fn length_of_bone_m(bone: &Bone) -> f64 {
     let points = || bone.points_m.iter().copied().map(DVec3::from);
     length(points().fold(DVec3::NEG_INFINITY, DVec3::max) - points().fold(DVec3::INFINITY, DVec3::min))
 }

@@ -105,7 +105,7 @@ impl PlaneSurface {
         point_m.is_finite().then(|| Self {
             normal,
             point_m,
-            tilt_rad: angle(normal, model.up()),
+            tilt_rad: angle_between(normal, model.up()),
             level_orientation,
         })
     }
@@ -217,7 +217,7 @@ fn centre_m(model: &Model, pose: &DefaultPose, sphere: &Sphere) -> Result<DVec3,
 }
 
 /// The angle between two vectors, rad, from 0 to π: atan2(|a × b|, a · b), which is exact near 0 and π, too.
-pub fn angle(a: DVec3, b: DVec3) -> f64 {
+pub fn angle_between(a: DVec3, b: DVec3) -> f64 {
     libm::atan2(a.cross(b).length(), a.dot(b))
 }
 
@@ -230,12 +230,12 @@ mod tests {
     #[test]
     fn angles_do_not_depend_on_vector_lengths() {
         let at = DVec3::new;
-        assert_eq!(angle(at(0.0, 2.0, 0.0), at(0.0, 3.0, 0.0)), 0.0);
-        assert_eq!(angle(at(0.0, 2.0, 0.0), at(0.0, 0.0, -5.0)), FRAC_PI_2);
-        assert_eq!(angle(at(0.0, 1.0, 0.0), at(0.0, -1.0, 0.0)), PI);
-        assert!((angle(at(1.0, 1.0, 0.0), at(0.0, 7.0, 0.0)) - FRAC_PI_4).abs() < 1e-15);
+        assert_eq!(angle_between(at(0.0, 2.0, 0.0), at(0.0, 3.0, 0.0)), 0.0);
+        assert_eq!(angle_between(at(0.0, 2.0, 0.0), at(0.0, 0.0, -5.0)), FRAC_PI_2);
+        assert_eq!(angle_between(at(0.0, 1.0, 0.0), at(0.0, -1.0, 0.0)), PI);
+        assert!((angle_between(at(1.0, 1.0, 0.0), at(0.0, 7.0, 0.0)) - FRAC_PI_4).abs() < 1e-15);
         // 3 to 4: tan a = 3/4. Small angles keep their digits, which an arc cosine loses.
-        assert!((angle(at(3.0, 4.0, 0.0), DVec3::Y) - 0.75_f64.atan()).abs() < 1e-15);
-        assert!((angle(at(1e-9, 1.0, 0.0), DVec3::Y) - 1e-9).abs() < 1e-24);
+        assert!((angle_between(at(3.0, 4.0, 0.0), DVec3::Y) - 0.75_f64.atan()).abs() < 1e-15);
+        assert!((angle_between(at(1e-9, 1.0, 0.0), DVec3::Y) - 1e-9).abs() < 1e-24);
     }
 }

@@ -27,7 +27,7 @@ pub struct TiltingCoordinate {
 
 impl Sole {
     /// The coordinates of `model` whose default values tilt the foot or a part of it, beginning at the foot.
-    pub fn tilted_by(&self, model: &Model) -> Vec<TiltingCoordinate> {
+    pub fn tilting_coordinates(&self, model: &Model) -> Vec<TiltingCoordinate> {
         let joints = model.joints();
         let coordinates = CoordinateValues::at_default_pose(model);
         let pose = DefaultPose::of(model);
@@ -58,7 +58,7 @@ impl Sole {
     }
 
     /// Describes the tilt of a foot that does not lie flat at the default pose; `None` for a flat foot.
-    pub fn not_flat(&self) -> Option<String> {
+    pub fn describe_tilt(&self) -> Option<String> {
         let print = &self.footprint;
         if print.is_flat() {
             return None;

@@ -62,7 +62,7 @@ type FileFactorsPlacement = (String, [f64; 3], Placement);
 
 /// The mesh files that are attached to one frame, with their scale factors and their placements in the frame.
 fn attached_meshes(components: &Components, frame: ComponentId) -> Vec<FileFactorsPlacement> {
-    let document = components.doc(frame);
+    let document = components.document_of(frame);
     let element = components.element(frame);
     match document.version() {
         version if version < FIRST_VERSION_WITH_GEOMETRY_SETS => meshes_of_file_list(document, element),
@@ -159,7 +159,7 @@ impl BodyShape {
 }
 
 fn shape_of(components: &Components, body: ComponentId) -> BodyShape {
-    let centre_m = components.doc(body).triple(components.element(body), "mass_center");
+    let centre_m = components.document_of(body).triple(components.element(body), "mass_center");
     let inertia_kg_m2 = inertia_kg_m2(components, body);
     let gyration_m = number_of_element(components, body, "mass")
         .zip(inertia_kg_m2)
@@ -195,7 +195,7 @@ fn number_of_element(components: &Components, body: ComponentId, tag: &str) -> O
 }
 
 fn numbers_of_element(components: &Components, body: ComponentId, tag: &str) -> Option<Vec<f64>> {
-    let tree = components.doc(body).tree();
+    let tree = components.document_of(body).tree();
     opensim_text::numbers(&tree.text_of(tree.child(components.element(body), tag)?))
 }
 
@@ -204,11 +204,11 @@ fn numbers_of_element(components: &Components, body: ComponentId, tag: &str) -> 
 /// Two places are equal if they differ by at most this, m.
 const SAME_PLACE_M: f64 = 1e-9;
 /// Two scale factors are equal if they differ by at most this (relative).
-const SAME_SIZE: f64 = 1e-6;
+const EQUAL_FACTORS_TOLERANCE: f64 = 1e-6;
 
 impl BodySize {
     pub(crate) fn is_as_large_as(&self, other: &Self) -> bool {
-        let close = |(a, b): (f64, f64)| (a - b).abs() <= SAME_SIZE * b.abs();
+        let close = |(a, b): (f64, f64)| (a - b).abs() <= EQUAL_FACTORS_TOLERANCE * b.abs();
         self.factors.into_iter().zip(other.factors).all(close)
     }
 }

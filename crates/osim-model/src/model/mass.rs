@@ -6,19 +6,19 @@ use crate::messages::{Input, Phrase, phrase, readable};
 use crate::model::fault::{
     Fault, FaultKind, MassMistake, MassesOfOtherRows, MissingFact, POUND_KG, Suspicion,
 };
-use crate::model::names::{Pattern, any_matches};
+use crate::model::names::{Pattern, any_pattern_matches};
 use crate::model::rules::{self, MassFromSource};
 use crate::model::{Body, Finding, Model};
 
 /// Two masses count as one body if they differ by less than this (relative): a sensor, a belt or a prosthetic foot does not make another
 /// body.
-pub(crate) const SAME_MASS: f64 = 0.02;
+pub(crate) const EQUAL_MASSES_TOLERANCE: f64 = 0.02;
 
 /// Contacts need no scaling if their mass is nearer to the target mass than this (relative): no scale is read more exactly than 0.1 %.
-const AT_TARGET: f64 = 1e-3;
+const AT_TARGET_TOLERANCE: f64 = 1e-3;
 
 /// Two gravities count as equal if they differ by less than this (relative).
-const SAME_GRAVITY: f64 = 1e-3;
+const EQUAL_GRAVITIES_TOLERANCE: f64 = 1e-3;
 
 /// The masses that the caller gives, and the bodies to sum.
 ///
@@ -144,7 +144,7 @@ impl MassRequest {
         let mut kg = 0.0;
         let mut bodies = 0;
         let is_summed =
-            |body: &&Body| !body.excluded_from_mass && !any_matches(&self.exclude_bodies, &body.name);
+            |body: &&Body| !body.excluded_from_mass && !any_pattern_matches(&self.exclude_bodies, &body.name);
         for body in model.bodies().iter().filter(is_summed) {
             kg += body.mass_kg()?;
             bodies += 1;
@@ -198,7 +198,7 @@ impl MassRequest {
     pub fn disagreeing_note_kg(&self, model: &Model) -> Option<f64> {
         let given_kg = self.contacts_mass_kg?;
         let noted_kg = model.note.as_ref().and_then(|note| note.contacts_mass_kg)?;
-        (!same_mass(noted_kg, given_kg) && model.doubt_about_note().is_none()).then_some(noted_kg)
+        (!are_equal_masses(noted_kg, given_kg) && model.doubt_about_note().is_none()).then_some(noted_kg)
     }
 
     /// A warning for each other source of the model's mass that differs from `taken`. The note is ignored, because the model gets other
@@ -220,13 +220,13 @@ impl MassRequest {
         // The usual case: the body was scaled to the target already, and the user says what the contacts were made for.
         let expected = |kg: f64| {
             matches!(taken.source, MassSource::ContactsMass | MassSource::Note)
-                && self.target_mass_kg.is_some_and(|target_mass_kg| same_mass(kg, target_mass_kg))
+                && self.target_mass_kg.is_some_and(|target_mass_kg| are_equal_masses(kg, target_mass_kg))
         };
-        let differs = |kg: f64| !same_mass(kg, taken.kg) && !expected(kg);
+        let differs = |kg: f64| !are_equal_masses(kg, taken.kg) && !expected(kg);
         let taken_as = MassFromSource { kg: taken.kg, source: taken.source.describe() };
         // The caller says what the model will weigh, and the contacts are for that.
-        let is_for_scaled_bodies =
-            taken.source.is_about_contacts() && self.model_kg.is_some_and(|kg| same_mass(kg, taken.kg));
+        let is_for_scaled_bodies = taken.source.is_about_contacts()
+            && self.model_kg.is_some_and(|kg| are_equal_masses(kg, taken.kg));
         let finding = |(kg, source): (f64, Phrase)| {
             if is_for_scaled_bodies && noted_kg != Some(kg) {
                 return rules::bodies_not_scaled(kg, taken.kg);
@@ -239,17 +239,17 @@ impl MassRequest {
 
 /// Whether contacts for `contacts_kg` can be used for `target_kg` without scaling.
 pub fn is_at_target(contacts_kg: f64, target_kg: f64) -> bool {
-    (target_kg - contacts_kg).abs() <= AT_TARGET * contacts_kg.abs()
+    (target_kg - contacts_kg).abs() <= AT_TARGET_TOLERANCE * contacts_kg.abs()
 }
 
-/// Whether two masses count as equal: `a` is within `SAME_MASS` of `b` (relative to `b`).
-pub fn same_mass(a: f64, b: f64) -> bool {
-    (a - b).abs() <= SAME_MASS * b.abs()
+/// Whether two masses count as equal: `a` is within `EQUAL_MASSES_TOLERANCE` of `b` (relative to `b`).
+pub fn are_equal_masses(a: f64, b: f64) -> bool {
+    (a - b).abs() <= EQUAL_MASSES_TOLERANCE * b.abs()
 }
 
 /// Whether two gravities count as equal: `noted` is within a thousandth of `own`.
-pub fn same_gravity(noted: f64, own: f64) -> bool {
-    (noted - own).abs() <= SAME_GRAVITY * own
+pub fn are_equal_gravities(noted: f64, own: f64) -> bool {
+    (noted - own).abs() <= EQUAL_GRAVITIES_TOLERANCE * own
 }
 
 /// Checks that `kg` is a finite number above 0. The error names `input`, by which the caller gave the mass.
@@ -316,7 +316,7 @@ fn suspicious_mass_in_table(
 }
 
 fn is_mass_of_bodies(input: Input, kg: f64, bodies_kg: Option<f64>) -> bool {
-    input == Input::TargetMass && bodies_kg.is_some_and(|bodies| same_mass(kg, bodies))
+    input == Input::TargetMass && bodies_kg.is_some_and(|bodies| are_equal_masses(kg, bodies))
 }
 
 /// Whether the mass looks like grams or tonnes, or is impossible for an animal.
@@ -370,9 +370,9 @@ impl MassRequest {
         let unit_is_known = self
             .target_mass_kg
             .zip(bodies_kg)
-            .is_some_and(|(target_mass_kg, bodies)| same_mass(target_mass_kg, bodies));
+            .is_some_and(|(target_mass_kg, bodies)| are_equal_masses(target_mass_kg, bodies));
         let question = |(input, kg): (Input, Option<f64>)| {
-            let kg = kg.filter(|&kg| !noted_kg.is_some_and(|noted| same_mass(kg, noted)))?;
+            let kg = kg.filter(|&kg| !noted_kg.is_some_and(|noted| are_equal_masses(kg, noted)))?;
             let doubt = match self.other_rows.get(&input) {
                 Some(&other_rows) => suspicious_mass_in_table(input, kg, bodies_kg, other_rows)?,
                 None => suspicious_mass(input, kg, bodies_kg, near_pounds)?,

@@ -57,7 +57,7 @@ pub use contact_digest::{ValueKey, short_digest};
 pub use contacts::{
     Force, ForceId, ForceKind, FrameProperty, GEOMETRY_CLASSES, GroundPlane, HalfSpace, Irregularity,
     LAST_VERSION_WITH_IS_DISABLED, LoadedSphere, OTHER_CONTACT_CLASSES, Orientation, ParameterSet, SetId,
-    Slot, Sphere, SphereId, Surfaces, contact_of_pair, contact_of_set, loaded_spheres, loaded_spheres_alone,
+    Slot, Sphere, SphereId, Surfaces, contact_of_pair, contact_of_set, loaded_round_spheres, loaded_spheres,
     moving_spheres, radius_of_equal_volume, root_mean_square, sphere_sets,
 };
 pub use document::Document;
@@ -69,7 +69,8 @@ pub use fault::{
 pub use finding::{Example, Finding, FindingCode, Measure, Repair, Rule, Severity, VerdictTopic};
 pub use limbs::{Limb, Limbs};
 pub use mass::{
-    Mass, MassRequest, MassSource, implausible_mass, is_at_target, positive_mass, same_gravity, same_mass,
+    Mass, MassRequest, MassSource, are_equal_gravities, are_equal_masses, implausible_mass, is_at_target,
+    positive_mass,
 };
 pub use names::{Pattern, PatternError, Side, refuse_name, refuse_name_in_paths, without_side};
 pub use note::{

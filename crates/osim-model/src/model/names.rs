@@ -91,7 +91,7 @@ impl Pattern {
     }
 }
 
-pub(crate) fn any_matches(patterns: &[Pattern], name: &str) -> bool {
+pub(crate) fn any_pattern_matches(patterns: &[Pattern], name: &str) -> bool {
     patterns.iter().any(|pattern| pattern.matches(name))
 }
 

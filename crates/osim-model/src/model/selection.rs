@@ -6,7 +6,7 @@ use foldhash::{HashMap, HashMapExt};
 
 use crate::messages::{Input, listed};
 use crate::model::components::{Carrier, ComponentId};
-use crate::model::names::{Pattern, any_matches};
+use crate::model::names::{Pattern, any_pattern_matches};
 use crate::model::{Fault, FaultKind, Force, ForceId, ForcesOfAnimal, MissingFact, Model};
 
 /// The user's choice of forces, by name.
@@ -87,7 +87,8 @@ impl Selection {
 
     /// Whether the choice has forces of this name, if they are switched on.
     pub fn matches_name(&self, name: &str) -> bool {
-        (self.select.is_empty() || any_matches(&self.select, name)) && !any_matches(&self.exclude, name)
+        (self.select.is_empty() || any_pattern_matches(&self.select, name))
+            && !any_pattern_matches(&self.exclude, name)
     }
 
     /// Applies the choice to the forces in `candidates`. No question about several animals is asked, because the candidates are known.

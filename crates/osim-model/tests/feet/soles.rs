@@ -239,7 +239,7 @@ fn the_footprint_of_a_tilted_box_is_as_computed_by_hand() {
     assert!((print.pitch_rad - tilt).abs() < 1e-6 && print.roll_rad.abs() < 1e-6, "{print:?}");
     assert!(!print.is_flat());
     let tilting: Vec<(String, f64)> =
-        sole.tilted_by(&model).into_iter().map(|one| (one.name, one.value)).collect();
+        sole.tilting_coordinates(&model).into_iter().map(|one| (one.name, one.value)).collect();
     assert_eq!(tilting, [("ankle_angle".to_owned(), tilt)]);
-    assert!(sole.not_flat().unwrap().contains("its front is 15.0 degrees up"));
+    assert!(sole.describe_tilt().unwrap().contains("its front is 15.0 degrees up"));
 }

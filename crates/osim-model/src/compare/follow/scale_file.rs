@@ -10,7 +10,7 @@ use crate::model::{Anatomy, Document, Fault, FaultKind, MissingFact, UnknownFact
 /// If a joint is farther than this part of its distance from the place that the file's factors give, the file was applied to another model.
 const LARGEST_JOINT_ERROR: f64 = 0.01;
 /// Offsets may differ by this length, m, because numbers are rounded when they are written.
-const SPELLING_DIFFERENCE_M: f64 = 1e-6;
+const ROUNDING_OF_OFFSETS_M: f64 = 1e-6;
 
 /// The factors in the ScaleSet file that the Scale Tool wrote, by body name: see [`Factors`](crate::compare::follow::Factors) for an
 /// example.
@@ -97,7 +97,7 @@ impl ScaleFile {
             for &SharedOffset { joint, reference_m: old, scaled_m: new } in joints.on(body) {
                 let expected = old * DVec3::from(factors);
                 let apart_m = new.distance(expected);
-                if apart_m > SPELLING_DIFFERENCE_M + LARGEST_JOINT_ERROR * expected.length() {
+                if apart_m > ROUNDING_OF_OFFSETS_M + LARGEST_JOINT_ERROR * expected.length() {
                     let (body, joint) = (body.to_owned(), joint.to_owned());
                     let doubt = UnknownFactors::OtherReference { body, joint, apart_m };
                     return Err(Fault::new(MissingFact::Factors(doubt)));

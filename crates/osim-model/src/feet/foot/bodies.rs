@@ -99,7 +99,7 @@ fn groups_by_body(tree: &BodyTree<'_>, model: &Model, spheres: &[SphereId]) -> V
         bodies.push(body);
         on.insert(body, spheres);
     }
-    let groups = tree.connected(&bodies).into_iter().map(|group| SphereGroup {
+    let groups = tree.groups_of_connected_bodies(&bodies).into_iter().map(|group| SphereGroup {
         side: group.first().and_then(|body| Side::of_name(body)),
         spheres: group.iter().flat_map(|body| on.get(body).cloned().unwrap_or_default()).collect(),
     });
@@ -124,7 +124,8 @@ fn feet_of_group(
         });
         return alone.collect();
     };
-    let bodies = tree.with_below(joined, group.side, carriers).into_iter().map(str::to_owned).collect();
+    let bodies =
+        tree.with_bodies_below(joined, group.side, carriers).into_iter().map(str::to_owned).collect();
     vec![FootBodies { bodies, side: group.side, spheres: group.spheres }]
 }
 
@@ -147,7 +148,7 @@ fn feet_near_ground(tree: &BodyTree<'_>, height_m: &dyn Fn(&str) -> Option<f64>)
         bodies: tree.top_first(bodies).into_iter().map(str::to_owned).collect(),
         spheres: Vec::new(),
     };
-    tree.connected(&feet).into_iter().map(foot).collect()
+    tree.groups_of_connected_bodies(&feet).into_iter().map(foot).collect()
 }
 
 // Bodies as a tree of joints: which of them are joined to each other. Each body is visited once, however long a chain is.
@@ -189,7 +190,7 @@ impl<'t> BodyTree<'t> {
     }
 
     /// Groups `bodies` of one side that joints connect. Groups are in the order of their first body, and bodies keep their given order.
-    fn connected<'b>(&self, bodies: &[&'b str]) -> Vec<Vec<&'b str>>
+    fn groups_of_connected_bodies<'b>(&self, bodies: &[&'b str]) -> Vec<Vec<&'b str>>
     where
         't: 'b,
     {
@@ -248,7 +249,7 @@ impl<'t> BodyTree<'t> {
     }
 
     /// `bodies` and the bodies below them that are of the same side and carry no sphere.
-    fn with_below<'b>(
+    fn with_bodies_below<'b>(
         &self,
         mut bodies: Vec<&'b str>,
         side: Option<Side>,

@@ -89,7 +89,7 @@ impl MeshSurface {
 pub(super) const MOST_POINTS: usize = 2_000_000;
 
 /// Groups the numbers in `words` by three. `what` names the numbers in error messages.
-pub(super) fn triples<'t>(
+pub(super) fn number_triples<'t>(
     words: impl Iterator<Item = &'t str>,
     what: &'static str,
 ) -> Result<Vec<[f64; 3]>, MeshFault> {

@@ -7,7 +7,7 @@ use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 use flate2::read::ZlibDecoder;
 
-use super::surface::{MOST_POINTS, MeshFault, MeshSurface, check_point_count, shortened, triples};
+use super::surface::{MOST_POINTS, MeshFault, MeshSurface, check_point_count, number_triples, shortened};
 use crate::xml::opensim_text::{trimmed, words};
 use crate::xml::{ElementId, SyntaxFault, Tree};
 
@@ -34,7 +34,10 @@ pub(super) fn surface(bytes: &[u8]) -> Result<MeshSurface, MeshFault> {
         let Some(polygons) = tree.child(piece, "Polys") else { return Ok(()) };
         let array = |name: &str| {
             let named = |&id: &ElementId| tree.attribute(id, "Name").as_deref() == Some(name);
-            tree.children(polygons).find(named).map(|array| integers(tree, array, coding)).transpose()
+            tree.children(polygons)
+                .find(named)
+                .map(|array| whole_numbers_of_array(tree, array, coding))
+                .transpose()
         };
         let corners = array("connectivity")?.unwrap_or_default();
         let mut from = 0;
@@ -112,13 +115,17 @@ fn read_array(tree: &Tree, array: ElementId, coding: &Coding<'_>) -> Result<Vec<
         return Err(MeshFault::NotUnderstood(fault));
     }
     match array_content(tree, array, coding)? {
-        ArrayContent::Text(text) => triples(words(&text), "the points"),
+        ArrayContent::Text(text) => number_triples(words(&text), "the points"),
         ArrayContent::Bytes(bytes) => read_points(&bytes, &attribute("type"), coding),
     }
 }
 
 /// The numbers in an array of whole numbers, such as the point indices of polygons.
-fn integers(tree: &Tree, array: ElementId, coding: &Coding<'_>) -> Result<Vec<usize>, MeshFault> {
+fn whole_numbers_of_array(
+    tree: &Tree,
+    array: ElementId,
+    coding: &Coding<'_>,
+) -> Result<Vec<usize>, MeshFault> {
     match array_content(tree, array, coding)? {
         ArrayContent::Text(text) => {
             let broken = |word: &str| {

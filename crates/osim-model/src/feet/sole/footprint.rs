@@ -41,10 +41,10 @@ impl Footprint {
     }
 
     /// The footprint of a foot. `flat` are all its points, `near` those near the ground.
-    pub(super) fn of(flat: &[FlatPoint], near: &[DVec2]) -> Self {
+    pub(super) fn of(flat: &[GroundPoint], near: &[DVec2]) -> Self {
         let mut whole: Vec<DVec2> = flat.iter().map(|point| point.at).collect();
         sort_and_dedup(&mut whole);
-        let ahead = lengthwise(&convex_hull(&whole));
+        let ahead = lengthwise_direction(&convex_hull(&whole));
         let across = ahead.perp();
         let share = |direction| {
             let all = extent(&whole, direction);
@@ -53,8 +53,9 @@ impl Footprint {
         let pitch =
             resting_slope(flat.iter().map(|point| DVec2::new(point.at.dot(ahead), point.height)).collect());
         // Else what is only tilted to the front would look tilted to the side, too.
-        let level =
-            |point: &FlatPoint| DVec2::new(point.at.dot(across), point.height - pitch * point.at.dot(ahead));
+        let level = |point: &GroundPoint| {
+            DVec2::new(point.at.dot(across), point.height - pitch * point.at.dot(ahead))
+        };
         let roll = resting_slope(flat.iter().map(level).collect());
         Self {
             length_m: extent(&whole, ahead),
@@ -98,7 +99,7 @@ pub(super) struct BonePoint {
 
 /// A point of a bone in coordinates along the ground.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct FlatPoint {
+pub(super) struct GroundPoint {
     /// Distances forward and outward from the foot's rearmost and innermost points, m.
     pub at: DVec2,
     /// Height above the lowest point of the foot, m.
@@ -137,11 +138,11 @@ impl FootAxes {
     }
 
     /// The points in coordinates along the ground.
-    pub(super) fn flat(&self, points: &[BonePoint]) -> Vec<FlatPoint> {
+    pub(super) fn points_along_ground(&self, points: &[BonePoint]) -> Vec<GroundPoint> {
         let from = |point: &BonePoint, direction: DVec3, least: f64| {
             ((point.at.dot(direction) - least) / GRID_SIZE_M).round() * GRID_SIZE_M
         };
-        let flat = |point: &BonePoint| FlatPoint {
+        let flat = |point: &BonePoint| GroundPoint {
             at: DVec2::new(
                 from(point, self.forward, self.rearmost),
                 from(point, self.outward, self.innermost),
@@ -215,7 +216,7 @@ pub(super) fn spread_bottoms(corners: &[DVec2], near: &[DVec2], count: usize) ->
     if count == 1 {
         return centroid(corners).map(|middle| vec![middle]).ok_or(0);
     }
-    let mut bottoms = extremes(corners, count);
+    let mut bottoms = extreme_corners(corners, count);
     if least_distance(&bottoms) < LEAST_BOTTOM_DISTANCE_M {
         return Err(1);
     }
@@ -243,9 +244,9 @@ pub(super) fn spread_bottoms(corners: &[DVec2], near: &[DVec2], count: usize) ->
 }
 
 /// The corners for the first two, three or four spheres.
-fn extremes(corners: &[DVec2], count: usize) -> Vec<DVec2> {
+fn extreme_corners(corners: &[DVec2], count: usize) -> Vec<DVec2> {
     let far = farthest_corners(corners);
-    let long = diameter(&far);
+    let long = farthest_pair(&far);
     match count {
         2 => long.to_vec(),
         3 => {
@@ -254,7 +255,7 @@ fn extremes(corners: &[DVec2], count: usize) -> Vec<DVec2> {
         }
         _ => {
             let own_extremes = four_extremes(corners, direction_of(&far, long), length_of_line(long));
-            if covers(&own_extremes, corners) {
+            if reaches_nearly_as_far(&own_extremes, corners) {
                 own_extremes
             } else {
                 four_extremes(corners, DVec2::X, length_of_line(long))
@@ -264,9 +265,9 @@ fn extremes(corners: &[DVec2], count: usize) -> Vec<DVec2> {
 }
 
 /// The direction from the rear to the front of an outline, of length 1: along its longest diameter if it is long enough, else forward.
-pub(super) fn lengthwise(corners: &[DVec2]) -> DVec2 {
+pub(super) fn lengthwise_direction(corners: &[DVec2]) -> DVec2 {
     let far = farthest_corners(corners);
-    direction_of(&far, diameter(&far))
+    direction_of(&far, farthest_pair(&far))
 }
 
 fn direction_of(corners: &[DVec2], long: [DVec2; 2]) -> DVec2 {
@@ -284,7 +285,7 @@ fn four_directions(forward: DVec2) -> [DVec2; 4] {
 /// The farthest corners in the four directions. Corners close together count as one, unless the rest would cover too little.
 fn four_extremes(corners: &[DVec2], forward: DVec2, length: f64) -> Vec<DVec2> {
     let some = separate_extremes(corners, four_directions(forward), LEAST_EXTREME_DISTANCE * length);
-    if covers(&some, corners) {
+    if reaches_nearly_as_far(&some, corners) {
         some
     } else {
         separate_extremes(corners, four_directions(forward), LEAST_BOTTOM_DISTANCE_M)
@@ -323,7 +324,7 @@ pub(super) fn extent(points: &[DVec2], direction: DVec2) -> f64 {
 }
 
 /// Whether the corners in `some` reach nearly as far as the corners in `all`, forward and outward.
-fn covers(some: &[DVec2], all: &[DVec2]) -> bool {
+fn reaches_nearly_as_far(some: &[DVec2], all: &[DVec2]) -> bool {
     let covered = |direction| extent(some, direction) >= LEAST_COVER_OF_EXTREMES * extent(all, direction);
     covered(DVec2::X) && covered(DVec2::Y)
 }
@@ -341,7 +342,7 @@ fn search_direction(turn: u32) -> DVec2 {
 }
 
 /// The two of `corners` that are farthest apart.
-fn diameter(corners: &[DVec2]) -> [DVec2; 2] {
+fn farthest_pair(corners: &[DVec2]) -> [DVec2; 2] {
     let first = corners.first().copied().unwrap_or_default();
     let mut long = [first, first];
     for (index, &a) in corners.iter().enumerate() {

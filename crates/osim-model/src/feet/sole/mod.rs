@@ -9,7 +9,7 @@ use crate::feet::bones::Bone;
 use crate::feet::convex_hull::{convex_hull, sort_and_dedup};
 use crate::feet::default_pose::DefaultPose;
 use crate::feet::fault::FeetFault;
-use crate::feet::sole::footprint::{BonePoint, FlatPoint, FootAxes, spread_bottoms};
+use crate::feet::sole::footprint::{BonePoint, FootAxes, GroundPoint, spread_bottoms};
 use crate::model::{Model, Placement, Side, without_side};
 pub use footprint::Footprint;
 
@@ -148,10 +148,10 @@ fn sole(
     axes: &FootAxes,
     request: &SoleRequest,
 ) -> Result<Sole, usize> {
-    let flat: Vec<FlatPoint> = axes.flat(points);
+    let flat: Vec<GroundPoint> = axes.points_along_ground(points);
     let near = points_near_ground(&flat);
     let corners = convex_hull(&near);
-    let bottoms = spread_bottoms(&corners, &thinned(&near), request.count)?;
+    let bottoms = spread_bottoms(&corners, &thinned_points(&near), request.count)?;
     let height_m = axes.lowest - request.pad_m;
     let spheres = bottoms.into_iter().map(|bottom| {
         let body = nearest_body(&flat, bottom, -request.pad_m).and_then(|body| foot.bodies.get(body));
@@ -187,9 +187,9 @@ impl Sole {
 }
 
 /// The points near the ground, as coordinates along the ground. They are sorted, so that the order in the files does not matter.
-fn points_near_ground(flat: &[FlatPoint]) -> Vec<DVec2> {
+fn points_near_ground(flat: &[GroundPoint]) -> Vec<DVec2> {
     let extent = |axis: usize| {
-        let along = |point: &FlatPoint| point.at[axis];
+        let along = |point: &GroundPoint| point.at[axis];
         let least = flat.iter().map(along).fold(f64::INFINITY, f64::min);
         flat.iter().map(along).fold(f64::NEG_INFINITY, f64::max) - least
     };
@@ -201,7 +201,7 @@ fn points_near_ground(flat: &[FlatPoint]) -> Vec<DVec2> {
 }
 
 /// Keeps only the first of several points that are close together. `points` are sorted.
-fn thinned(points: &[DVec2]) -> Vec<DVec2> {
+fn thinned_points(points: &[DVec2]) -> Vec<DVec2> {
     let ends = points.first().zip(points.last());
     let length = ends.map_or(0.0, |(first, last)| last.x - first.x);
     let cell = THINNING_CELL_M.max(length / THINNING_CELLS_PER_LENGTH);
@@ -211,8 +211,8 @@ fn thinned(points: &[DVec2]) -> Vec<DVec2> {
 }
 
 /// The index of the body whose bone point is nearest to a sphere's `bottom`. `height` is the height of the bottom above the lowest point.
-fn nearest_body(flat: &[FlatPoint], bottom: DVec2, height: f64) -> Option<usize> {
-    let distance = |point: &FlatPoint| {
+fn nearest_body(flat: &[GroundPoint], bottom: DVec2, height: f64) -> Option<usize> {
+    let distance = |point: &GroundPoint| {
         (point.at - bottom).length_squared() + (point.height - height) * (point.height - height)
     };
     flat.iter().min_by(|a, b| distance(a).total_cmp(&distance(b))).map(|point| point.body)
@@ -256,12 +256,16 @@ fn group_bodies(model: &Model, bones: &[Bone]) -> Vec<SoleBodies> {
     }
     let mut feet: Vec<(String, SoleBodies)> = Vec::new();
     for body in &listed {
-        let top = top_of(body, &listed, &parents);
+        let top = top_of_foot(body, &listed, &parents);
         match feet.iter_mut().find(|(known, _)| *known == top) {
             Some((_, foot)) => foot.bodies.push((*body).to_owned()),
             None => feet.push((
                 top,
-                SoleBodies { bodies: vec![(*body).to_owned()], side: None, limb: limb_of(body, &parents) },
+                SoleBodies {
+                    bodies: vec![(*body).to_owned()],
+                    side: None,
+                    limb: topmost_body_of_side(body, &parents),
+                },
             )),
         }
     }
@@ -281,10 +285,12 @@ fn parents_of_bodies(model: &Model) -> HashMap<String, String> {
 
 /// The highest body, from `body` upwards, that belongs to the same foot: it is in the list, or it is of the same side and has another
 /// listed body below.
-fn top_of(body: &str, listed: &[&str], parents: &HashMap<String, String>) -> String {
-    let path = path_up(body, parents);
+fn top_of_foot(body: &str, listed: &[&str], parents: &HashMap<String, String>) -> String {
+    let path = bodies_upwards_from(body, parents);
     let shared = |above: &str| {
-        let below = |other: &&&str| **other != body && path_up(other, parents).iter().any(|at| at == above);
+        let below = |other: &&&str| {
+            **other != body && bodies_upwards_from(other, parents).iter().any(|at| at == above)
+        };
         listed.iter().any(|other| below(&other))
     };
     let side = Side::of_name(body);
@@ -295,15 +301,15 @@ fn top_of(body: &str, listed: &[&str], parents: &HashMap<String, String>) -> Str
 }
 
 /// The highest body of the same side, from `body` upwards.
-fn limb_of(body: &str, parents: &HashMap<String, String>) -> String {
+fn topmost_body_of_side(body: &str, parents: &HashMap<String, String>) -> String {
     let side = Side::of_name(body);
-    let path = path_up(body, parents);
+    let path = bodies_upwards_from(body, parents);
     let of_side = path.iter().rev().find(|above| side.is_some() && Side::of_name(above) == side);
     of_side.cloned().unwrap_or_else(|| body.to_owned())
 }
 
 /// `body` and the bodies above it.
-fn path_up(body: &str, parents: &HashMap<String, String>) -> Vec<String> {
+fn bodies_upwards_from(body: &str, parents: &HashMap<String, String>) -> Vec<String> {
     let mut path = vec![body.to_owned()];
     while let Some(parent) = path.last().and_then(|body| parents.get(body))
         && path.len() <= MOST_JOINTS

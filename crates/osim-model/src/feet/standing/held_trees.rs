@@ -13,7 +13,8 @@ pub fn held_roots<'b>(model: &Model, bodies: impl Iterator<Item = &'b str>) -> V
     let search = LiftingCoordinateSearch::of(model, &pose);
     let components = model.components();
     let constraints = model.constraints_to_ground().into_iter();
-    let enforced = constraints.filter(|(id, _)| is_enforced(components.doc(*id), components.element(*id)));
+    let enforced =
+        constraints.filter(|(id, _)| is_enforced(components.document_of(*id), components.element(*id)));
     let constraints: HashMap<_, _> = enforced.map(|(id, body)| (body, components.name(id))).collect();
     let mut tops = HashSet::new();
     let first_of_tree =
@@ -24,13 +25,13 @@ pub fn held_roots<'b>(model: &Model, bodies: impl Iterator<Item = &'b str>) -> V
         let trunk = path.split_off(path.iter().take_while(is_of_leg).count());
         let constraint = trunk.iter().find_map(|above| constraints.get(above.body));
         let fixed = constraint.map(|name| format!("{name} fixes it to ground"));
-        Some((top.to_owned(), fixed.or_else(|| what_holds(model, &search, &trunk))?))
+        Some((top.to_owned(), fixed.or_else(|| what_holds_root(model, &search, &trunk))?))
     });
     held.collect()
 }
 
 /// What keeps the bodies below `path` from moving along gravity; `None` if a coordinate is free to.
-fn what_holds(
+fn what_holds_root(
     model: &Model,
     search: &LiftingCoordinateSearch<'_>,
     path: &[ParentJoint<'_>],

@@ -92,7 +92,7 @@ impl LevelledFeet<'_> {
         if !high.is_empty() {
             self.refuse_leaning(limb, &spheres)?;
         }
-        high.into_iter().map(|over| self.lowered(over, over.gap_m - lowest_m)).collect()
+        high.into_iter().map(|over| self.lowered_sphere(over, over.gap_m - lowest_m)).collect()
     }
 
     /// The height of a sphere above the lowest of its floors; `None` for a sphere without a floor.
@@ -124,7 +124,11 @@ impl LevelledFeet<'_> {
     }
 
     /// Moves the centre of a sphere down by `down_m` along the normal of its floor.
-    fn lowered(&self, over: &SphereOverLowestFloor, down_m: f64) -> Result<LevelledSphere, NotLevelled> {
+    fn lowered_sphere(
+        &self,
+        over: &SphereOverLowestFloor,
+        down_m: f64,
+    ) -> Result<LevelledSphere, NotLevelled> {
         let sphere = over.sphere;
         let (model_sphere, body) =
             self.model.sphere(sphere).zip(self.body(sphere)).ok_or(NotLevelled::NoFloor)?;

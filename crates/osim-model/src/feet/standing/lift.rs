@@ -106,7 +106,7 @@ impl<'m> LiftingCoordinateSearch<'m> {
                     (CoordinateEffect::Other, CoordinateState::Free) => NotLifted::Pinned,
                     _ => continue,
                 };
-                not = more_telling(not, found);
+                not = more_useful_reason(not, found);
             }
         }
         best.ok_or(not)
@@ -158,7 +158,7 @@ impl<'m> LiftingCoordinateSearch<'m> {
 }
 
 /// The reason that says more to the user.
-fn more_telling(one: NotLifted, other: NotLifted) -> NotLifted {
+fn more_useful_reason(one: NotLifted, other: NotLifted) -> NotLifted {
     let rank = |reason: &NotLifted| match reason {
         NotLifted::Welded => 0,
         NotLifted::Pinned => 1,

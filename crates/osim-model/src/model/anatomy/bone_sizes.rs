@@ -58,7 +58,7 @@ fn read_joint(offsets: &mut TriplesByBody, components: &Components, joint: Compo
 
 /// Adds the translations of a joint in a document of version 3, where the joint is inside its child body.
 fn read_old_joint(offsets: &mut TriplesByBody, components: &Components, joint: ComponentId) {
-    let document = components.doc(joint);
+    let document = components.document_of(joint);
     let element = components.element(joint);
     let owner = components.tree.get(joint).and_then(|object| object.parent);
     let Some(child) = owner.filter(|&id| components.tag(id) == "Body") else { return };
@@ -96,7 +96,7 @@ pub(crate) fn mesh_scale(document: &Document, element: ElementId) -> [f64; 3] {
 
 /// The meshes of `body` by file name (numbered if it repeats), each with its scale factors along x, y and z.
 fn meshes(components: &Components, body: ComponentId) -> BTreeMap<String, [f64; 3]> {
-    let document = components.doc(body);
+    let document = components.document_of(body);
     let tree = document.tree();
     let element = components.element(body);
     let mut mesh_list = Vec::new();
@@ -140,7 +140,7 @@ fn offset_on_body(components: &Components, frame: ComponentId) -> Option<(String
     let body =
         components.frame_of(frame, &parent)?.component.filter(|&found| components.tag(found) == "Body")?;
     let translation =
-        components.doc(frame).triple(components.element(frame), "translation").unwrap_or([0.0; 3]);
+        components.document_of(frame).triple(components.element(frame), "translation").unwrap_or([0.0; 3]);
     Some((components.name(body).into_owned(), translation))
 }
 

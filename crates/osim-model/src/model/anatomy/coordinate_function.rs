@@ -57,16 +57,16 @@ impl CoordinateFunctionKind {
                 Some(Self::Scaled(scale, Box::new(Self::read(document, inner)?)))
             }
             "PiecewiseLinearFunction" => {
-                let (xs, ys) = knots(document, element)?;
+                let (xs, ys) = points_of_curve(document, element)?;
                 Some(Self::PiecewiseLinear(xs, ys))
             }
             // OpenSim reads both as the first.
             "SimmSpline" | "NaturalCubicSpline" | "natCubicSpline" => {
-                let (xs, ys) = knots(document, element)?;
+                let (xs, ys) = points_of_curve(document, element)?;
                 Some(Self::Spline(SimmSpline::new(xs, ys)))
             }
             "GCVSpline" | "PiecewiseConstantFunction" => {
-                let (_, ys) = knots(document, element)?;
+                let (_, ys) = points_of_curve(document, element)?;
                 // Many joints hold constants as curves between equal values.
                 let first = ys.first().copied()?;
                 ys.iter().all(|&y| y == first).then(|| Self::Polynomial(vec![first]))
@@ -107,7 +107,7 @@ pub(crate) fn finite_numbers(document: &Document, owner: ElementId, tag: &str) -
 }
 
 /// The points of a curve: at least one, with rising x.
-fn knots(document: &Document, function: ElementId) -> Option<(Vec<f64>, Vec<f64>)> {
+fn points_of_curve(document: &Document, function: ElementId) -> Option<(Vec<f64>, Vec<f64>)> {
     let (xs, ys) = (finite_numbers(document, function, "x")?, finite_numbers(document, function, "y")?);
     (xs.len() == ys.len() && xs.is_sorted_by(|a, b| a < b)).then_some((xs, ys))
 }

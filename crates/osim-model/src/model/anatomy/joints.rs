@@ -164,7 +164,7 @@ fn between_bodies(components: &Components, joint: &ModelJoint) -> Option<Anatomy
 
 fn read_joint(components: &Components, joint: ComponentId) -> Option<ModelJoint> {
     let element = components.element(joint);
-    let document = components.doc(joint);
+    let document = components.document_of(joint);
     let old = components.tree.get(joint)?.parent.filter(|&id| components.tag(id) == "Body");
     let (parent, child) = match old {
         // A document of version 3: the joint is in its child and holds both places.
@@ -275,6 +275,7 @@ fn own_placement(
     translation: &str,
     orientation: &str,
 ) -> Placement {
-    let triple = |tag| components.doc(owner).triple(components.element(owner), tag).unwrap_or([0.0; 3]);
+    let triple =
+        |tag| components.document_of(owner).triple(components.element(owner), tag).unwrap_or([0.0; 3]);
     Placement::from_triples(triple(orientation), triple(translation))
 }

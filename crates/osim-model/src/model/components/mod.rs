@@ -113,7 +113,7 @@ impl Components {
     }
 
     /// The file in which an object is.
-    pub fn doc(&self, id: ComponentId) -> &Document {
+    pub fn document_of(&self, id: ComponentId) -> &Document {
         self.document(self.file_of(id))
     }
 
@@ -124,17 +124,17 @@ impl Components {
 
     /// The class of an object, as the file writes it.
     pub fn tag(&self, id: ComponentId) -> &str {
-        self.doc(id).tree().name(self.element(id))
+        self.document_of(id).tree().name(self.element(id))
     }
 
     /// The `name` of an object, as the file writes it.
     pub fn name(&self, id: ComponentId) -> Cow<'_, str> {
-        self.doc(id).tree().attribute(self.element(id), "name").unwrap_or_default()
+        self.document_of(id).tree().attribute(self.element(id), "name").unwrap_or_default()
     }
 
     /// The text of a socket of `owner`, in the spelling of any document version. Without an element of its own, the text in `<defaults>`.
     pub(crate) fn connectee(&self, owner: ComponentId, socket: &str, legacy: &[&str]) -> Option<Connectee> {
-        let document = self.doc(owner);
+        let document = self.document_of(owner);
         let owner_element = self.element(owner);
         let in_element = |element| self.connectee_of(document, element, socket, legacy);
         in_element(owner_element).or_else(|| in_element(document.defaults_of(owner_element)?))
@@ -148,7 +148,7 @@ impl Components {
                 || ["mass_center", "body_name"].contains(&tag)
         };
         for (id, _) in self.tree.iter() {
-            let document = self.doc(id);
+            let document = self.document_of(id);
             let (tree, element) = (document.tree(), self.element(id));
             for child in tree.children(element) {
                 let tag = tree.name(child);
@@ -240,7 +240,7 @@ impl Components {
 
     /// Whether `body` is the body that means ground in old documents.
     pub(crate) fn is_ground(&self, body: ComponentId) -> bool {
-        self.doc(body).version() < FIRST_VERSION_WITHOUT_GROUND_BODY && self.name(body) == "ground"
+        self.document_of(body).version() < FIRST_VERSION_WITHOUT_GROUND_BODY && self.name(body) == "ground"
     }
 
     /// The body (or ground) that carries a frame, through any number of offset frames between them.
@@ -275,7 +275,7 @@ impl Components {
         let (path, connectee) = (self.tree.path(owner), connectee.to_owned());
         let unread = self.unread_object(self.file_of(owner), &connectee);
         let kind = FaultKind::Unresolved { owner: path.clone(), connectee, wanted, unread };
-        let span = self.doc(owner).tree().open_span(self.element(owner));
+        let span = self.document_of(owner).tree().open_span(self.element(owner));
         Fault::at_span(kind, span).at_element(path).in_file(self.file_of(owner))
     }
 
@@ -298,7 +298,7 @@ impl Components {
 
     /// Place of an object's start tag in its file.
     pub fn position_of(&self, id: ComponentId) -> TextPosition {
-        self.doc(id).position_of(self.element(id))
+        self.document_of(id).position_of(self.element(id))
     }
 }
 

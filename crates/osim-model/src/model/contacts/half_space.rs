@@ -62,7 +62,7 @@ impl HalfSpace {
         (socket, legacy): (&str, &[&str]),
         (location, orientation, default_angles): (&'static str, &'static str, [f64; 3]),
     ) -> Option<Self> {
-        let (document, element) = (components.doc(id), components.element(id));
+        let (document, element) = (components.document_of(id), components.element(id));
         let connectee = components.connectee(id, socket, legacy)?;
         let frame = components.frame_of(id, &connectee)?.component;
         let base = components.base(frame).ok()?;
@@ -137,7 +137,7 @@ fn without_rounding(part: f64) -> f64 {
 /// The place in the file of a half-space's location. Without such an element, the object that would get it: the half-space, or the force
 /// that contains it.
 fn location_slot(components: &Components, id: ComponentId, tag: &'static str) -> Slot {
-    let (document, object) = (components.doc(id), components.element(id));
+    let (document, object) = (components.document_of(id), components.element(id));
     let tree = document.tree();
     let span = tree.child(object, tag).map(|element| {
         let raw = tree.raw_text(element);
@@ -196,7 +196,7 @@ impl Orientation {
         tag: &'static str,
         otherwise: [f64; 3],
     ) -> Self {
-        let (document, element) = (components.doc(id), components.element(id));
+        let (document, element) = (components.document_of(id), components.element(id));
         let property = document.property_element(element, tag);
         let at = property.map_or_else(|| components.position_of(id), |own| document.position_of(own));
         let angles_rad = match property {

@@ -38,13 +38,13 @@ impl ContactReader<'_> {
                 }
                 Some(_) => return,
                 None => {
-                    let document = self.components.doc(id);
+                    let document = self.components.document_of(id);
                     let position = document.position_of(connectee.element);
                     (connectee.text, position)
                 }
             },
             None => {
-                let (document, element) = (self.components.doc(id), self.components.element(id));
+                let (document, element) = (self.components.document_of(id), self.components.element(id));
                 let empty = document.tree().child(element, &format!("socket_{socket}"));
                 if empty.is_none() && document.version() < FIRST_VERSION_WITH_SOCKETS {
                     return;
@@ -66,7 +66,7 @@ impl ContactReader<'_> {
             return;
         }
         let path = found.map_or_else(|| "/ground".to_owned(), |id| self.components.tree.path(id));
-        let (document, element) = (self.components.doc(id), connectee.element);
+        let (document, element) = (self.components.document_of(id), connectee.element);
         let tag = document.tree().name(element);
         let is_whole = self.components.file_of(id) == FileId::MAIN
             && (connectee.legacy || (tag.starts_with("socket_") && !tag.ends_with(CONNECTEE_ENDING)));

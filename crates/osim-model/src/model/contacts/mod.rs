@@ -57,15 +57,15 @@ pub struct LoadedSphere {
 /// # Errors
 /// A value that is not a plain number or outside its domain, with its place; or an ellipsoid.
 pub fn loaded_spheres(model: &Model, forces: &[ForceId]) -> Result<Vec<LoadedSphere>, Fault> {
-    loaded_spheres_if(model, forces, |_| true)
+    loaded_spheres_where(model, forces, |_| true)
 }
 
 /// The spheres of [`loaded_spheres`], but without ellipsoids.
-pub fn loaded_spheres_alone(model: &Model, forces: &[ForceId]) -> Result<Vec<LoadedSphere>, Fault> {
-    loaded_spheres_if(model, forces, |sphere| sphere.radii_m.is_none())
+pub fn loaded_round_spheres(model: &Model, forces: &[ForceId]) -> Result<Vec<LoadedSphere>, Fault> {
+    loaded_spheres_where(model, forces, |sphere| sphere.radii_m.is_none())
 }
 
-fn loaded_spheres_if(
+fn loaded_spheres_where(
     model: &Model,
     forces: &[ForceId],
     wanted: impl Fn(&Sphere) -> bool,
@@ -257,7 +257,7 @@ impl Model {
         let foundations =
             components.tree.iter().filter(|(id, _)| components.tag(*id) == ELASTIC_FOUNDATION_PARAMETERS);
         for (id, _) in foundations {
-            let tree = components.doc(id).tree();
+            let tree = components.document_of(id).tree();
             let Some(geometry) = tree.child(components.element(id), "geometry") else { continue };
             let mut at = components.tree.get(id).and_then(|object| object.parent);
             while let Some(force) = at.filter(|&force| components.tag(force) != "ElasticFoundationForce") {
@@ -285,7 +285,7 @@ impl Model {
     pub fn carriers_of_other_classes(&self) -> Vec<ComponentId> {
         let components = self.components();
         let is_on = |id: ComponentId| {
-            let flag = components.doc(id).flag(components.element(id), "appliesForce");
+            let flag = components.document_of(id).flag(components.element(id), "appliesForce");
             flag.ok().flatten().unwrap_or(true)
         };
         let is_fixed = |surface: ComponentId| {

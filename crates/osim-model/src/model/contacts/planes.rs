@@ -77,7 +77,7 @@ fn read_half_space(components: &Components, id: ComponentId) -> Option<HalfSpace
 
 /// The half-space inside a force of Moco 0.1 to 0.3.
 fn half_space_inside(components: &Components, force: ComponentId) -> Option<HalfSpace> {
-    let tree = components.doc(force).tree();
+    let tree = components.document_of(force).tree();
     let is_first = tree.child(components.element(force), OLD_CONSTANT_TAG).is_some();
     let turned = if is_first { [0.0; 3] } else { DEFAULT_INSIDE_ORIENTATION };
     let place = ("contact_half_space_location", "contact_half_space_orientation", turned);
@@ -188,7 +188,7 @@ impl Components {
             let Some(id) = at.filter(|&id| self.tag(id) != "Body" && self.tag(id) != "Ground") else {
                 return Some(rotation);
             };
-            let angles = self.doc(id).triple(self.element(id), "orientation").unwrap_or([0.0; 3]);
+            let angles = self.document_of(id).triple(self.element(id), "orientation").unwrap_or([0.0; 3]);
             rotation = Rotation::body_fixed_xyz(angles).after(&rotation);
             at = self.parent_frame(id);
         }
@@ -203,7 +203,7 @@ impl Components {
             let Some(id) = at.filter(|&id| self.tag(id) != "Body" && self.tag(id) != "Ground") else {
                 return Some(point);
             };
-            let triple = |tag| self.doc(id).triple(self.element(id), tag).unwrap_or_default();
+            let triple = |tag| self.document_of(id).triple(self.element(id), tag).unwrap_or_default();
             point = Placement::from_triples(triple("orientation"), triple("translation")).point(point);
             at = self.parent_frame(id);
         }

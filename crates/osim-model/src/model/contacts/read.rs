@@ -74,8 +74,8 @@ impl<'r> ContactReader<'r> {
     }
 
     fn add_sphere(&mut self, id: ComponentId, spelling: SphereSpelling) -> Result<(), Fault> {
-        let (document, element) = (self.components.doc(id), self.components.element(id));
-        let frame = self.attachment(id, "frame", &["body_name"])?;
+        let (document, element) = (self.components.document_of(id), self.components.element(id));
+        let frame = self.frame_of_geometry(id, "frame", &["body_name"])?;
         let radius = document.value(element, spelling.class(), Property::Radius, spelling.radius_tag());
         let location =
             document.whole_triple(element, "location").map_err(|fault| self.with_place(id, fault))?;
@@ -101,7 +101,7 @@ impl<'r> ContactReader<'r> {
         spelling: SphereSpelling,
     ) {
         let GeometryFrame { path: frame, base, component: frame_component } = frame;
-        let document = self.components.doc(id);
+        let document = self.components.document_of(id);
         let location = document.tree().child(self.components.element(id), spelling.location_tag());
         let location_span = location.map(|element| {
             let raw = document.tree().raw_text(element);
@@ -134,7 +134,12 @@ impl<'r> ContactReader<'r> {
     }
 
     /// The frame to which a contact geometry is attached: its path and the body that carries it.
-    fn attachment(&mut self, id: ComponentId, socket: &str, legacy: &[&str]) -> Result<GeometryFrame, Fault> {
+    fn frame_of_geometry(
+        &mut self,
+        id: ComponentId,
+        socket: &str,
+        legacy: &[&str],
+    ) -> Result<GeometryFrame, Fault> {
         let Some(connectee) = self.components.connectee(id, socket, legacy) else {
             return Err(self.components.unresolved(id, "", "frame it is attached to"));
         };
@@ -185,7 +190,7 @@ impl<'r> ContactReader<'r> {
                 Ok(ContactGeometry::Sphere(SphereId(index)))
             }
             "ContactHalfSpace" => {
-                Ok(ContactGeometry::HalfSpace(id, self.attachment(id, "frame", &["body_name"])?.base))
+                Ok(ContactGeometry::HalfSpace(id, self.frame_of_geometry(id, "frame", &["body_name"])?.base))
             }
             _ => Ok(ContactGeometry::Other(id)),
         }
@@ -214,7 +219,7 @@ impl<'r> ContactReader<'r> {
     /// Whether a force is switched on. In documents up to 30508, `isDisabled` also switches a force off; the first of both elements counts.
     /// Later documents ignore `isDisabled`.
     fn applies(&self, id: ComponentId) -> Result<bool, Fault> {
-        let (document, element) = (self.components.doc(id), self.components.element(id));
+        let (document, element) = (self.components.document_of(id), self.components.element(id));
         let tree = document.tree();
         let is_enabled =
             |element| -> Result<bool, Fault> { Ok(!is_disabled(&document.whole_text(element)?)) };
@@ -234,13 +239,14 @@ impl<'r> ContactReader<'r> {
 
     fn add_smooth_force(&mut self, id: ComponentId) -> Result<(), Fault> {
         let class = Class::SmoothSphereHalfSpaceForce;
-        let (document, element) = (self.components.doc(id), self.components.element(id));
+        let (document, element) = (self.components.document_of(id), self.components.element(id));
         let mut set = self.parameter_set(document, element, class, None);
         if self.components.connectee(id, "sphere_frame", &[]).is_some() {
             let sphere = self.add_sphere_inside(id)?;
             set.spheres.push(sphere);
-            let base =
-                self.attachment(id, "half_space_frame", &[]).map_or(Carrier::Unknown, |plane| plane.base);
+            let base = self
+                .frame_of_geometry(id, "half_space_frame", &[])
+                .map_or(Carrier::Unknown, |plane| plane.base);
             set.half_space_bases.push(base);
             set.half_space_inside = Some(id);
             self.read_old_constant(&mut set, document, element);
@@ -271,8 +277,8 @@ impl<'r> ContactReader<'r> {
 
     /// Adds the sphere inside a force of Moco 0.1 to 0.3: its frame, radius and location are elements of the force.
     fn add_sphere_inside(&mut self, id: ComponentId) -> Result<SphereId, Fault> {
-        let (document, element) = (self.components.doc(id), self.components.element(id));
-        let frame = self.attachment(id, "sphere_frame", &[])?;
+        let (document, element) = (self.components.document_of(id), self.components.element(id));
+        let frame = self.frame_of_geometry(id, "sphere_frame", &[])?;
         let tag = SphereSpelling::InsideForce.radius_tag();
         let radius = document.value(element, Class::SmoothSphereHalfSpaceForce, Property::Radius, tag);
         let location = document.triple(element, "contact_sphere_location").unwrap_or([0.0; 3]);
@@ -282,7 +288,7 @@ impl<'r> ContactReader<'r> {
     }
 
     fn add_hunt_crossley_force(&mut self, id: ComponentId) -> Result<(), Fault> {
-        let (document, element) = (self.components.doc(id), self.components.element(id));
+        let (document, element) = (self.components.document_of(id), self.components.element(id));
         let mut sets = Vec::new();
         let own_sets = parameter_sets_of(document, element);
         let inherited = own_sets.is_none();

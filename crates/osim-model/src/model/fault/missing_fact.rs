@@ -148,7 +148,7 @@ impl MissingFact {
         match self {
             Self::BodyMass { body } => phrase![
                 "body '{body}' has no mass (OpenSim reads NaN): give it a <mass>{}";
-                where_taken(Input::Mass, ", or give the mass of the model with ", "KG", "")
+                advice_for_verbs_that_take(Input::Mass, ", or give the mass of the model with ", "KG", "")
             ],
             Self::ModelMass { bodies, kg } => phrase![
                 match bodies {
@@ -166,7 +166,7 @@ impl MissingFact {
             Self::MassOfLoop => phrase![
                 "joints form a loop with a WeldJoint or FreeJoint between bodies, where OpenSim counts the mass of a \
                 body twice{}";
-                where_taken(Input::Mass, ": give the mass of the model with ", "KG", "")
+                advice_for_verbs_that_take(Input::Mass, ": give the mass of the model with ", "KG", "")
             ],
             Self::ContactsMass { noted_kg, doubt, input } => contacts_mass(*noted_kg, *doubt, *input),
             Self::KnownContactsMass { title, made_for_kg, bodies_kg, input } => {
@@ -181,7 +181,7 @@ impl MissingFact {
                     trees.iter().map(|tree| format!("{} (forces {})", tree.top, tree.forces)).collect();
                 phrase![
                     "contact spheres are on bodies that are joined only through ground: {}{}";
-                    each.join("; "), where_taken(*input, ": choose the forces with ", "GLOB", "")
+                    each.join("; "), advice_for_verbs_that_take(*input, ": choose the forces with ", "GLOB", "")
                 ]
             }
             other => other.about_spheres(),
@@ -222,7 +222,7 @@ impl MissingFact {
             ],
             Self::BodyFactors { body, axes } => {
                 let factors = Input::BodyScale.with_value(format!("{body}=x,y,z"));
-                let file = |text| where_taken(Input::BodyScaleFile, text, "FILE", "");
+                let file = |text| advice_for_verbs_that_take(Input::BodyScaleFile, text, "FILE", "");
                 let both = phrase![": say it with {}{}"; factors, file(", or give the ScaleSet that was applied with ")];
                 phrase![
                     "how body {body} was scaled along {} is not in the files{}";
@@ -254,11 +254,11 @@ impl MissingFact {
             ],
             Self::Geometry => phrase![
                 "this is a ForceSet without its model: its spheres are in another file, {}";
-                where_taken(Input::Geometry, "name it with ", "FILE", WHOLE_MODELS)
+                advice_for_verbs_that_take(Input::Geometry, "name it with ", "FILE", WHOLE_MODELS)
             ],
             Self::ForceSet => phrase![
                 "this is a ContactGeometrySet, which has no forces: {}";
-                where_taken(Input::Geometry, "name the ForceSet file and give this one as ", "FILE", WHOLE_MODELS)
+                advice_for_verbs_that_take(Input::Geometry, "name the ForceSet file and give this one as ", "FILE", WHOLE_MODELS)
             ],
             Self::Load => phrase![
                 "an indentation needs a load: give {} or {}";
@@ -281,7 +281,7 @@ impl MissingFact {
 }
 
 /// Advice to give `input`, for verbs that take it: `advice` and then the input. For other verbs the text is `otherwise`.
-fn where_taken(
+fn advice_for_verbs_that_take(
     input: Input,
     advice: &'static str,
     placeholder: &'static str,

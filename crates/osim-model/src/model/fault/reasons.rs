@@ -141,7 +141,7 @@ named! {
         /// Force set and geometry set have notes from different changes.
         MixedPair = "the force set and its geometry set come from different runs",
         ValuesChanged = "contacts were changed after this program left its note in the file",
-        /// In doubt because the change that wrote the note affected only some values.
+        /// The change that wrote the note changed only some of the contacts' values; the others may be made for another mass.
         Partial = "the run that left the note in the file changed only some values",
         /// The note says that the mass is not known.
         MassUnknown = "the mass was not known when this program left its note in the file",

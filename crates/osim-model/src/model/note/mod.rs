@@ -10,7 +10,7 @@ use std::ops::Range;
 
 use crate::model::note::content::UnreadableNote;
 use crate::model::note::grammar::{NOTE_BEGIN, NOTE_END, PROGRAM_MARK};
-use crate::model::{Document, Fault, FaultKind, MassRequest, Model, Property, same_mass};
+use crate::model::{Document, Fault, FaultKind, MassRequest, Model, Property, are_equal_masses};
 use crate::xml::opensim_text::{is_white, words};
 use crate::xml::{ElementId, PieceKind};
 
@@ -241,7 +241,7 @@ impl Model {
         ChangedSinceNote {
             contacts: self.changed_contacts(note),
             sizes: self.bodies_have_other_sizes(note),
-            weight_kg: note.weighed_kg.zip(weighs).filter(|&(then, now)| !same_mass(then, now)),
+            weight_kg: note.weighed_kg.zip(weighs).filter(|&(then, now)| !are_equal_masses(then, now)),
         }
     }
 

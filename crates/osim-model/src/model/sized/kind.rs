@@ -184,33 +184,36 @@ const fn on_coordinate(
     SizedProperty { tag, kind: SizedKindRule::ByCoordinate(turns, shifts), default, count: 1 }
 }
 
-const FORCE: SizedProperty = one_number("max_isometric_force", MaxIsometricForce, 1000.0);
-const FIBER: SizedProperty = one_number("optimal_fiber_length", OptimalFiberLength, 0.1);
-const TENDON: SizedProperty = one_number("tendon_slack_length", TendonSlackLength, 0.2);
-const VELOCITY: SizedProperty = one_number("max_contraction_velocity", MaxContractionVelocity, 10.0);
+const MAX_FORCE: SizedProperty = one_number("max_isometric_force", MaxIsometricForce, 1000.0);
+const FIBER_LENGTH: SizedProperty = one_number("optimal_fiber_length", OptimalFiberLength, 0.1);
+const TENDON_LENGTH: SizedProperty = one_number("tendon_slack_length", TendonSlackLength, 0.2);
+const MAX_VELOCITY: SizedProperty = one_number("max_contraction_velocity", MaxContractionVelocity, 10.0);
 const TIME_SCALE: SizedProperty = one_number("time_scale", TimeScale, 0.1);
 
-const fn activation(default: f64) -> SizedProperty {
+const fn activation_time(default: f64) -> SizedProperty {
     one_number("activation_time_constant", ActivationTime, default)
 }
 
-const fn deactivation(default: f64) -> SizedProperty {
+const fn deactivation_time(default: f64) -> SizedProperty {
     one_number("deactivation_time_constant", DeactivationTime, default)
 }
 
-const RIGID_TENDON: &[SizedProperty] = &[FORCE, FIBER, TENDON, VELOCITY];
-const THELEN: &[SizedProperty] = &[FORCE, FIBER, TENDON, VELOCITY, activation(0.015), deactivation(0.05)];
-const OLD_THELEN: &[SizedProperty] = &[
-    FORCE,
-    FIBER,
-    TENDON,
+const RIGID_TENDON_MUSCLE: &[SizedProperty] = &[MAX_FORCE, FIBER_LENGTH, TENDON_LENGTH, MAX_VELOCITY];
+const THELEN_MUSCLE: &[SizedProperty] =
+    &[MAX_FORCE, FIBER_LENGTH, TENDON_LENGTH, MAX_VELOCITY, activation_time(0.015), deactivation_time(0.05)];
+const OLD_THELEN_MUSCLE: &[SizedProperty] = &[
+    MAX_FORCE,
+    FIBER_LENGTH,
+    TENDON_LENGTH,
     one_number("Vmax", MaxContractionVelocity, 10.0),
-    activation(0.01),
-    deactivation(0.04),
+    activation_time(0.01),
+    deactivation_time(0.04),
 ];
-const MILLARD: &[SizedProperty] = &[FORCE, FIBER, TENDON, VELOCITY, activation(0.01), deactivation(0.04)];
-const DE_GROOTE: &[SizedProperty] = &[FORCE, FIBER, TENDON, VELOCITY, activation(0.015), deactivation(0.06)];
-const TIME_SCALED: &[SizedProperty] = &[FORCE, FIBER, TENDON, TIME_SCALE];
+const MILLARD_MUSCLE: &[SizedProperty] =
+    &[MAX_FORCE, FIBER_LENGTH, TENDON_LENGTH, MAX_VELOCITY, activation_time(0.01), deactivation_time(0.04)];
+const DE_GROOTE_MUSCLE: &[SizedProperty] =
+    &[MAX_FORCE, FIBER_LENGTH, TENDON_LENGTH, MAX_VELOCITY, activation_time(0.015), deactivation_time(0.06)];
+const TIME_SCALED_MUSCLE: &[SizedProperty] = &[MAX_FORCE, FIBER_LENGTH, TENDON_LENGTH, TIME_SCALE];
 const LIGAMENT: &[SizedProperty] =
     &[one_number("resting_length", LigamentLength, 0.0), one_number("pcsa_force", LigamentForce, 0.0)];
 const BLANKEVOORT_LIGAMENT: &[SizedProperty] = &[
@@ -266,12 +269,12 @@ const TORQUE_ACTUATOR: &[SizedProperty] = &[one_number("optimal_force", Actuator
 /// The properties of `class` that change with body size.
 pub(super) fn sized_properties(class: &str) -> &'static [SizedProperty] {
     match class {
-        "Thelen2003Muscle" => THELEN,
-        "Thelen2003Muscle_Deprecated" => OLD_THELEN,
-        "Millard2012EquilibriumMuscle" => MILLARD,
-        "DeGrooteFregly2016Muscle" | "MeyerFregly2016Muscle" => DE_GROOTE,
-        "RigidTendonMuscle" | "Millard2012AccelerationMuscle" => RIGID_TENDON,
-        "Schutte1993Muscle_Deprecated" | "Delp1990Muscle_Deprecated" => TIME_SCALED,
+        "Thelen2003Muscle" => THELEN_MUSCLE,
+        "Thelen2003Muscle_Deprecated" => OLD_THELEN_MUSCLE,
+        "Millard2012EquilibriumMuscle" => MILLARD_MUSCLE,
+        "DeGrooteFregly2016Muscle" | "MeyerFregly2016Muscle" => DE_GROOTE_MUSCLE,
+        "RigidTendonMuscle" | "Millard2012AccelerationMuscle" => RIGID_TENDON_MUSCLE,
+        "Schutte1993Muscle_Deprecated" | "Delp1990Muscle_Deprecated" => TIME_SCALED_MUSCLE,
         "Ligament" => LIGAMENT,
         "Blankevoort1991Ligament" => BLANKEVOORT_LIGAMENT,
         "PathSpring" => PATH_SPRING,

@@ -103,7 +103,7 @@ impl SizedValueReader<'_> {
         if properties.is_empty() {
             return;
         }
-        let (document, element) = (components.doc(id), components.element(id));
+        let (document, element) = (components.document_of(id), components.element(id));
         let acts_on_coordinate =
             properties.iter().any(|one| matches!(one.kind, SizedKindRule::ByCoordinate(..)));
         let is_angle = acts_on_coordinate.then(|| self.is_angle(document, element)).flatten();
