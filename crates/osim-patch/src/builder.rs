@@ -23,7 +23,7 @@ pub(crate) struct NewNumber {
 
 impl NewNumber {
     /// `from` times `factor`; exactly `from` if the factor is 1.
-    pub(crate) fn times(from: f64, factor: f64, by: ChangedBy) -> Self {
+    pub(crate) fn multiplied(from: f64, factor: f64, by: ChangedBy) -> Self {
         Self { to: if factor == 1.0 { from } else { from * factor }, factor: Some(factor), by }
     }
 }
@@ -118,7 +118,7 @@ impl<'m> PlanBuilder<'m> {
             return Ok(());
         }
         let slot = sphere.location_slot();
-        self.push_move((sphere.name.clone(), sphere.path.clone()), (from, to), by, slot)
+        self.add_move((sphere.name.clone(), sphere.path.clone()), (from, to), by, slot)
     }
 
     /// Plans a new location of a half-space in its own frame, m.
@@ -133,10 +133,10 @@ impl<'m> PlanBuilder<'m> {
             return Ok(());
         }
         let slot = plane.location_slot();
-        self.push_move((plane.name.clone(), plane.path.clone()), (from, to), by, slot)
+        self.add_move((plane.name.clone(), plane.path.clone()), (from, to), by, slot)
     }
 
-    fn push_move(
+    fn add_move(
         &mut self,
         (geometry, path): (String, String),
         (from, to): ([f64; 3], [f64; 3]),
@@ -183,7 +183,7 @@ impl<'m> PlanBuilder<'m> {
     }
 
     /// Changes `property` in each set of `force` that has it, and says whether one has it.
-    pub(crate) fn change_sets(
+    pub(crate) fn change_in_all_sets(
         &mut self,
         force: &Force,
         property: Property,
@@ -210,7 +210,7 @@ pub(crate) fn scale_with_radius(
     by: DissipationBy,
 ) -> Result<(), Fault> {
     let Some((factor, by)) = property_factor(property, own, by) else { return Ok(()) };
-    plan.change_sets(force, property, |from| NewNumber::times(from, factor, by)).map(drop)
+    plan.change_in_all_sets(force, property, |from| NewNumber::multiplied(from, factor, by)).map(drop)
 }
 
 /// Two composite values are equal if their relative difference is at most this.
@@ -243,7 +243,7 @@ pub(crate) fn change_composite(
         let new = if now == 0.0 {
             NewNumber { to, factor: None, by }
         } else {
-            NewNumber::times(from, to / now, by)
+            NewNumber::multiplied(from, to / now, by)
         };
         plan.change_parameter(id, set, property, new)?;
     }

@@ -145,7 +145,7 @@ impl NumberChange {
     /// The number is not finite, or outside the domain in which the contact laws hold. The fault has its place and its
     /// origin.
     pub(crate) fn check(&self) -> Result<(), Fault> {
-        check_number(self.to, self.property, || self.origin_of_value()).map_err(|fault| self.at(fault))
+        refuse_bad_number(self.to, self.property, || self.origin_of_value()).map_err(|fault| self.at(fault))
     }
 
     /// The text that is written for the new number.
@@ -215,12 +215,12 @@ pub(crate) fn number_text(
     property: Property,
     origin: impl FnOnce() -> String,
 ) -> Result<String, Fault> {
-    check_number(value, property, origin)?;
+    refuse_bad_number(value, property, origin)?;
     Ok(shortest(value))
 }
 
 /// Whether the new `value` of `property` may be written.
-fn check_number(value: f64, property: Property, origin: impl FnOnce() -> String) -> Result<(), Fault> {
+fn refuse_bad_number(value: f64, property: Property, origin: impl FnOnce() -> String) -> Result<(), Fault> {
     if property.allows(value) {
         return Ok(());
     }

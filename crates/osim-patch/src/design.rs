@@ -8,7 +8,7 @@ use contact_scaling::{
 use osim_model::messages::{Phrase, counted, phrase, readable};
 use osim_model::{
     DissipationBy, Fault, Force, ForceKind, GravityFor, Mass, MissingFact, Model, Note, Property,
-    PropertySet, RadiusRule, Scope, Selected, SetId, is_at_target, same_gravity,
+    PropertySet, RadiusRule, Scope, Selected, SetId, are_equal_gravities, is_at_target,
 };
 
 use crate::builder::{NewNumber, PlanBuilder, change_composite, scale_with_radius};
@@ -16,7 +16,7 @@ use crate::change::{ChangedBy, property_factor};
 use crate::note::KeptMass;
 use crate::plan::{Masses, NoteFacts, Plan, PlanContents};
 use crate::radii::{Radii, SphereRadiusRule};
-use crate::rules::{self, REMARK_PLACES_STAY, bottoms_remark, equilibrium_remark};
+use crate::rules::{self, REMARK_PLACES_STAY, remark_on_equilibrium, remark_on_moved_bottoms};
 
 /// How E₁* is determined: see [`Design`] for an example.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -130,8 +130,8 @@ pub fn design(model: &Model, selected: &Selected, wanted: &Design) -> Result<Pla
         }
     }
     let mut remarks: Vec<Phrase> = vec![REMARK_PLACES_STAY.into()];
-    remarks.extend(bottoms_remark(&radii));
-    remarks.extend(equilibrium_remark(&rests));
+    remarks.extend(remark_on_moved_bottoms(&radii));
+    remarks.extend(remark_on_equilibrium(&rests));
     let PlanBuilder { changes, moves, mut findings, .. } = plan;
     if changes.is_empty() {
         findings.push(rules::nothing_to_change(
@@ -193,7 +193,7 @@ impl Design {
     /// Whether the gravity of the design is the gravity in the note; true if the note has none.
     fn is_under_gravity_of_note(&self, note: Option<&Note>, model: &Model) -> bool {
         let (noted, own) = (note.and_then(|note| note.gravity_m_s2), self.gravity_m_s2.or(model.gravity()));
-        noted.zip(own).is_none_or(|(noted, own)| same_gravity(noted, own))
+        noted.zip(own).is_none_or(|(noted, own)| are_equal_gravities(noted, own))
     }
 
     /// The rule for the radii; with a wanted contact stiffness, the radius comes from (11) and (B.2).
@@ -284,7 +284,7 @@ impl Design {
         }
         let from = sphere.force.checked(SetId::FIRST, property)?;
         let carried = from.zip(property_factor(property, &sphere.own_ratios, DissipationBy::Radius));
-        Ok(carried.map(|(from, (factor, by))| NewNumber::times(from, factor, by).to))
+        Ok(carried.map(|(from, (factor, by))| NewNumber::multiplied(from, factor, by).to))
     }
 
     /// The factor on the Hertz force at speed 0, the second factor of (C.9), with the α and bv of the force; 1 without

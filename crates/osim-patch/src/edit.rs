@@ -86,12 +86,12 @@ pub fn splice(bytes: &[u8], edits: &[Edit]) -> Result<Vec<u8>, Fault> {
 }
 
 /// `model` read again with `edits` in its main file; an error if any edit fails.
-pub(crate) fn edited(model: &Model, edits: Vec<Edit>) -> Result<Model, Fault> {
-    edited_with(model, edits, &[])
+pub(crate) fn model_with_edits(model: &Model, edits: Vec<Edit>) -> Result<Model, Fault> {
+    model_with_edits_in_files(model, edits, &[])
 }
 
 /// `model` read again after `edits` in its main file, and with new bytes of its other files.
-pub(crate) fn edited_with(
+pub(crate) fn model_with_edits_in_files(
     model: &Model,
     edits: Vec<Edit>,
     others: &[(FileId, Vec<u8>)],

@@ -8,7 +8,7 @@ use crate::edit::Edit;
 
 /// A new element, which has either a text or children.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(crate) struct Node {
+pub(crate) struct NewElement {
     tag: String,
     name: Option<String>,
     content: ElementContent,
@@ -17,10 +17,10 @@ pub(crate) struct Node {
 #[derive(Debug, Clone, PartialEq, Eq)]
 enum ElementContent {
     Text(String),
-    Children(Vec<Node>),
+    Children(Vec<NewElement>),
 }
 
-impl Node {
+impl NewElement {
     /// `<tag>text</tag>`; `text` is not escaped.
     pub(crate) fn leaf(tag: impl Into<String>, text: impl Into<String>) -> Self {
         Self { tag: tag.into(), name: None, content: ElementContent::Text(text.into()) }
@@ -71,9 +71,9 @@ pub(crate) fn escaped_attribute(name: &str) -> String {
 }
 
 /// Inserts `nodes` into `parent`, whose children OpenSim writes in `order`.
-pub(crate) fn insert(tree: &Tree, parent: ElementId, order: &[&str], nodes: &[Node]) -> Vec<Edit> {
+pub(crate) fn insert(tree: &Tree, parent: ElementId, order: &[&str], nodes: &[NewElement]) -> Vec<Edit> {
     let rank = |tag: &str| order.iter().position(|known| *known == tag);
-    let mut nodes: Vec<&Node> = nodes.iter().collect();
+    let mut nodes: Vec<&NewElement> = nodes.iter().collect();
     nodes.sort_by_key(|node| rank(node.tag()));
     if let Some(layout) = EmptyElement::read(tree, parent) {
         return vec![layout.fill(&nodes)];
@@ -109,7 +109,7 @@ pub(crate) fn insert(tree: &Tree, parent: ElementId, order: &[&str], nodes: &[No
 
 /// Inserts `nodes` after the last content of `parent`. If the nodes and the white space before each are removed later, the
 /// original text is left. `None` if `parent` has no content at all, not even white space: use [`fill`] then.
-pub(crate) fn append(tree: &Tree, parent: ElementId, nodes: &[Node]) -> Option<Edit> {
+pub(crate) fn append(tree: &Tree, parent: ElementId, nodes: &[NewElement]) -> Option<Edit> {
     if tree.is_empty_tag(parent) || tree.content(parent).next().is_none() {
         return None;
     }
@@ -131,7 +131,7 @@ pub(crate) fn append(tree: &Tree, parent: ElementId, nodes: &[Node]) -> Option<E
 }
 
 /// Puts `nodes` into `parent`, which has no content.
-pub(crate) fn fill(tree: &Tree, parent: ElementId, nodes: &[Node]) -> Option<Edit> {
+pub(crate) fn fill(tree: &Tree, parent: ElementId, nodes: &[NewElement]) -> Option<Edit> {
     EmptyElement::read(tree, parent).map(|layout| layout.fill(&nodes.iter().collect::<Vec<_>>()))
 }
 
@@ -159,7 +159,7 @@ fn indentation_of(tree: &Tree, at: usize) -> &str {
 }
 
 /// Inserts `comment` as the first child of `parent`.
-pub(crate) fn insert_first(tree: &Tree, parent: ElementId, comment: &str) -> Edit {
+pub(crate) fn insert_first_comment(tree: &Tree, parent: ElementId, comment: &str) -> Edit {
     let at = tree.open_span(parent).end;
     let next = end_of_leading_text(tree, parent, at);
     Edit { span: at..at, text: format!("{}{comment}", white_space_before(tree, next)) }
@@ -236,7 +236,7 @@ impl<'t> EmptyElement<'t> {
         })
     }
 
-    fn fill(&self, nodes: &[&Node]) -> Edit {
+    fn fill(&self, nodes: &[&NewElement]) -> Edit {
         let text: String = nodes.iter().map(|node| node.text(&self.inner, &self.unit)).collect();
         Edit {
             span: self.span.clone(),
@@ -291,8 +291,8 @@ mod tests {
     use super::*;
     use crate::edit::splice;
 
-    fn foot_node() -> Node {
-        Node::object("ContactSphere", "heel & \"toe\"", vec![Node::leaf("radius", "0.03")])
+    fn foot_node() -> NewElement {
+        NewElement::object("ContactSphere", "heel & \"toe\"", vec![NewElement::leaf("radius", "0.03")])
     }
 
     #[test]
@@ -313,7 +313,7 @@ mod tests {
     #[track_caller]
     fn assert_inserted(tags: &[&str], into: &str, expected: &str) {
         let tree = Tree::scan(into).unwrap();
-        let elements: Vec<_> = tags.iter().map(|tag| Node::leaf(*tag, "1")).collect();
+        let elements: Vec<_> = tags.iter().map(|tag| NewElement::leaf(*tag, "1")).collect();
         let parent = tree.children(ElementId::ROOT).next().unwrap_or(ElementId::ROOT);
         let edits = insert(&tree, parent, &ORDER, &elements);
         assert_eq!(String::from_utf8(splice(into.as_bytes(), &edits).unwrap()).unwrap(), expected);

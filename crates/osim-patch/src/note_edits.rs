@@ -10,7 +10,9 @@ use osim_model::{
 };
 
 use crate::edit::{Edit, splice};
-use crate::insert::{EmptyForm, Node, end_of_empty_tag, insert, insert_first, with_white_space_before};
+use crate::insert::{
+    EmptyForm, NewElement, end_of_empty_tag, insert, insert_first_comment, with_white_space_before,
+};
 
 /// The elements that OpenSim writes before and after `<credits>` in a model.
 const ORDER_AROUND_CREDITS: [&str; 6] =
@@ -124,13 +126,13 @@ fn write_note_with(
         let (mut comments, text) = (Note::comment_spans(document), note.comment());
         let own = match comments.next() {
             Some(span) => Edit { span, text },
-            None => insert_first(tree, root, &text),
+            None => insert_first_comment(tree, root, &text),
         };
         return std::iter::once(own).chain(comments.map(|span| removal_edit(tree, span))).collect();
     }
     match Credits::of(document) {
         Ok(Some(credits)) => edits_in_credits(tree, &credits, of(&credits)),
-        Ok(None) => insert(tree, root, &ORDER_AROUND_CREDITS, &[Node::leaf(CREDITS_TAG, note.text())]),
+        Ok(None) => insert(tree, root, &ORDER_AROUND_CREDITS, &[NewElement::leaf(CREDITS_TAG, note.text())]),
         // Reading such a model was refused.
         Err(_) => Vec::new(),
     }

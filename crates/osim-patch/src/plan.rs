@@ -12,8 +12,8 @@ use osim_model::{
 };
 
 use crate::change::{ChangedBy, NumberChange, PlaceChange};
-use crate::edit::{Edit, Patch, edited_with};
-use crate::insert::{Node, insert};
+use crate::edit::{Edit, Patch, model_with_edits_in_files};
+use crate::insert::{NewElement, insert};
 use crate::note_edits::{self, StepDetails};
 use crate::objects::{EarlierNote, ObjectChange, RebuiltModel};
 
@@ -342,7 +342,7 @@ impl Plan {
         let tree = document.tree();
         let mut edits = Vec::new();
         // Elements that are inserted into one object, and its class.
-        let mut absent: BTreeMap<ElementId, (Class, Vec<Node>)> = BTreeMap::new();
+        let mut absent: BTreeMap<ElementId, (Class, Vec<NewElement>)> = BTreeMap::new();
         let numbers = self.changes.iter().map(|change| (&change.slot, change.text()));
         let places = self.moves.iter().map(|place| (&place.slot, place.text()));
         for (slot, text) in numbers.chain(places).filter(|(slot, _)| slot.file == file) {
@@ -351,7 +351,7 @@ impl Plan {
                 Some(span) => edits.push(Edit { span: span.clone(), text }),
                 None => {
                     let (_, elements) = absent.entry(slot.object).or_insert((slot.class, vec![]));
-                    elements.push(Node::leaf(slot.tag, text));
+                    elements.push(NewElement::leaf(slot.tag, text));
                 }
             }
         }
@@ -383,7 +383,7 @@ impl Plan {
         let others = self.files(model).filter(|&file| file != FileId::MAIN);
         let others =
             others.map(|file| Ok((file, self.patched(model, file)?))).collect::<Result<Vec<_>, Fault>>()?;
-        edited_with(self.base_model(model), self.edits(model, FileId::MAIN)?, &others)
+        model_with_edits_in_files(self.base_model(model), self.edits(model, FileId::MAIN)?, &others)
     }
 
     /// The new model for inspection only: its numbers and note are new, but its positions in the file are the old ones.

@@ -30,7 +30,7 @@ impl Radii {
     ) -> Result<Self, Fault> {
         let model = plan.model;
         let mut radii = BTreeMap::new();
-        let users = UnchangedUsers::find(model, forces);
+        let users = ForcesOutsideChange::find(model, forces);
         for sphere in moving_spheres(model, forces) {
             let old = plan.model.radius_m(sphere)?;
             let stays = !properties.contains(Property::Radius);
@@ -52,7 +52,7 @@ impl Radii {
     /// ρ, new radius over old, of one force: the common ratio of its spheres; if they differ, the ratio of the root mean
     /// squares of the radii. A force that presses spheres on each other has the radii R₁R₂/(R₁ + R₂).
     pub(crate) fn ratio(&self, model: &Model, force: &Force) -> f64 {
-        let pairs = self.pressed(model, force);
+        let pairs = self.radius_pairs_of_contacts(model, force);
         match pairs.split_first() {
             None => 1.0,
             Some((first, rest)) if rest.iter().all(|pair| pair.ratio == first.ratio) => first.ratio,
@@ -65,10 +65,10 @@ impl Radii {
     /// Root of the mean R² of the force's contacts after the change: R of each sphere, R₁R₂/(R₁ + R₂) of two spheres that press
     /// each other.
     pub(crate) fn rms_pressed_radius(&self, model: &Model, force: &Force) -> f64 {
-        root_mean_square(self.pressed(model, force).iter().map(|pair| pair.new))
+        root_mean_square(self.radius_pairs_of_contacts(model, force).iter().map(|pair| pair.new))
     }
 
-    fn pressed(&self, model: &Model, force: &Force) -> Vec<RadiusPair> {
+    fn radius_pairs_of_contacts(&self, model: &Model, force: &Force) -> Vec<RadiusPair> {
         let two = model.sphere_pairs(force);
         if two.is_empty() {
             return self.radius_pairs(force);
@@ -127,7 +127,7 @@ impl Radii {
         bodies: &ScaleFile,
         level: Option<LevelAxis>,
     ) -> Result<(), Fault> {
-        let users = UnchangedUsers::find(plan.model, forces);
+        let users = ForcesOutsideChange::find(plan.model, forces);
         for (&sphere, pair) in &self.0 {
             let Some(found) = plan.model.sphere(sphere) else { continue };
             let Some(body) = found.body.as_deref() else { continue };
@@ -230,13 +230,13 @@ impl SphereRadiusRule {
 }
 
 /// For each sphere, the forces that use the sphere but are not changed together with it.
-pub(crate) struct UnchangedUsers<'m> {
+pub(crate) struct ForcesOutsideChange<'m> {
     forces: HashMap<SphereId, Vec<&'m str>>,
     /// Names of forces of classes without a Hertz law, by the name of the sphere that they use.
     others: HashMap<String, Vec<String>>,
 }
 
-impl<'m> UnchangedUsers<'m> {
+impl<'m> ForcesOutsideChange<'m> {
     pub(crate) fn find(model: &'m Model, chosen: &[ForceId]) -> Self {
         let chosen: HashSet<ForceId> = chosen.iter().copied().collect();
         let mut forces: HashMap<SphereId, Vec<&str>> = HashMap::new();

@@ -186,7 +186,7 @@ fn scale_set(
             if property == Property::Dissipation {
                 rules::remark_on_dissipation(&mut plan.remarks, ratios, from);
             }
-            plan.change_parameter(force, set, property, NewNumber::times(from, factor, by))?;
+            plan.change_parameter(force, set, property, NewNumber::multiplied(from, factor, by))?;
         }
     }
     Ok(())

@@ -68,12 +68,12 @@ rule! { pub(crate) FACTOR_SPREAD: FactorSpread, Warning;
 }
 
 /// Largest relative difference of factors that count as equal.
-const SAME_FACTOR: f64 = 0.01;
+const EQUAL_FACTORS_TOLERANCE: f64 = 0.01;
 
 /// The message for a force whose spheres' largest factor is `spread` times the smallest; also the error message of a strict
 /// change. `None` if the factors are equal.
 pub(crate) fn factor_spread_message(force: &Force, spread: f64) -> Option<String> {
-    (spread > 1.0 + SAME_FACTOR).then(|| {
+    (spread > 1.0 + EQUAL_FACTORS_TOLERANCE).then(|| {
         format!(
             "{}: its spheres grow by factors that differ by {:.1} %; the mean of R squared is used",
             force.path,
@@ -173,7 +173,7 @@ pub(crate) fn warn_forces(plan: &mut PlanBuilder<'_>, forces: &[ForceId], proper
 }
 
 /// The two forms of (14) part where they differ by more than this factor.
-const SAME_DISSIPATION: f64 = 1.1;
+const CLEAR_DISSIPATION_RATIO: f64 = 1.1;
 
 const START_OF_FORMS: &str = "(14) has two forms: ";
 
@@ -182,7 +182,7 @@ pub fn forms_of_dissipation(ratios: &Ratios, from: f64) -> Option<String> {
     let [by_radius, by_mass] =
         [ratios.dissipation(), ratios.dissipation_by_mass()].map(|factor| from * factor);
     let apart = by_radius / by_mass;
-    (apart > SAME_DISSIPATION || apart * SAME_DISSIPATION < 1.0).then(|| {
+    (apart > CLEAR_DISSIPATION_RATIO || apart * CLEAR_DISSIPATION_RATIO < 1.0).then(|| {
         format!(
             "{START_OF_FORMS}{} s/m by radius keeps the restitution after falls of equal height over radius, {} s/m by mass that at speeds \
              in proportion to M^(1/6)",
@@ -199,7 +199,7 @@ pub(crate) fn remark_on_dissipation(remarks: &mut Vec<Phrase>, ratios: &Ratios, 
 }
 
 /// A remark on how far the lowest points of spheres move, if radii change and centres do not.
-pub(crate) fn bottoms_remark(radii: &Radii) -> Option<Phrase> {
+pub(crate) fn remark_on_moved_bottoms(radii: &Radii) -> Option<Phrase> {
     let (least, most) = radii.bottom_shifts()?;
     let mm = |metres: f64| {
         let millimetres = metres.abs() * 1e3;
@@ -222,14 +222,16 @@ const CLEAR_BOTTOM_SHIFT_M: f64 = 0.005;
 
 /// Adds the remark on how far sphere bottoms move, for a change in which centres could move instead.
 pub(crate) fn remark_on_bottoms(remarks: &mut Vec<Phrase>, radii: Option<&Radii>) {
-    let Some((radii, remark)) = radii.and_then(|radii| Some((radii, bottoms_remark(radii)?))) else { return };
+    let Some((radii, remark)) = radii.and_then(|radii| Some((radii, remark_on_moved_bottoms(radii)?))) else {
+        return;
+    };
     let is_far = |(least, most): (f64, f64)| most.max(-least) > CLEAR_BOTTOM_SHIFT_M;
     let at = if radii.bottom_shifts().is_some_and(is_far) { 0 } else { remarks.len() };
     remarks.insert(at, phrase![&remark, "; ", Input::Level, " keeps them where they are"]);
 }
 
 /// A remark on x/R of each sphere at equilibrium after a design, by the model's smoothed law; (11) gives x/R for the Hertz law.
-pub(crate) fn equilibrium_remark(rests: &[f64]) -> Option<Phrase> {
+pub(crate) fn remark_on_equilibrium(rests: &[f64]) -> Option<Phrase> {
     let four = |x: f64| format!("{x:.4}");
     let least = rests.iter().copied().reduce(f64::min).map(four)?;
     let most = rests.iter().copied().reduce(f64::max).map(four)?;

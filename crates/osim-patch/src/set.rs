@@ -11,7 +11,7 @@ use crate::builder::{NewNumber, PlanBuilder};
 use crate::change::{ChangedBy, PlaceChange};
 use crate::note::KeptMass;
 use crate::plan::{Masses, NoteFacts, Plan, PlanContents};
-use crate::radii::UnchangedUsers;
+use crate::radii::ForcesOutsideChange;
 use crate::rules::{self, REMARK_LEVEL_FEET};
 
 /// The last word in the note's operation if feet were also made level.
@@ -22,7 +22,7 @@ impl NewNumber {
     fn assigned(assignment: Assignment, from: f64, by: ChangedBy) -> Self {
         match assignment {
             Assignment::Value(to) => Self { to, factor: None, by },
-            Assignment::Factor(factor) => Self::times(from, factor, by),
+            Assignment::Factor(factor) => Self::multiplied(from, factor, by),
         }
     }
 }
@@ -108,7 +108,7 @@ pub fn set(model: &Model, selected: &Selected, wanted: &Set) -> Result<Plan, Fau
     if relative && !wanted.repeat && is_assigned_already(model, wanted) {
         return Err(Fault::new(MissingFact::Repetition { operation }));
     }
-    let users = UnchangedUsers::find(model, &selected.forces);
+    let users = ForcesOutsideChange::find(model, &selected.forces);
     let mut plan = PlanBuilder::new(model);
     let by = if wanted.fitted.is_some() { ChangedBy::Fit } else { ChangedBy::Given };
     for &(property, value) in &wanted.assignments {
@@ -127,7 +127,8 @@ pub fn set(model: &Model, selected: &Selected, wanted: &Set) -> Result<Plan, Fau
             }
         } else {
             for force in selected.forces.iter().filter_map(|&id| model.force(id)) {
-                found |= plan.change_sets(force, property, |from| NewNumber::assigned(value, from, by))?;
+                found |=
+                    plan.change_in_all_sets(force, property, |from| NewNumber::assigned(value, from, by))?;
             }
         }
         if !found {

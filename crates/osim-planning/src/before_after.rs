@@ -49,7 +49,7 @@ impl BeforeAfter {
         let before = &change.options;
         // What can be changed in the old model can be changed in the new one, because both have equal elements.
         let changes = changes_all_numbers(plan, before, opened)
-            || prepared_change::try_what_can_change(before, &opened.model).numbers;
+            || prepared_change::find_changeable_values(before, &opened.model).numbers;
         let inspected_before = inspected_and_checked(before, opened, changes);
         let after = change.options_after(plan, inspected_before.0.figures.mass_kg);
         let target = change.target_gravity_m_s2;
@@ -114,7 +114,7 @@ fn inspected_and_checked(
         &opened.model,
         &inspection,
         &[],
-        prepared_change::try_what_else_can_change(options, &opened.model, changes),
+        prepared_change::find_other_changeable_values(options, &opened.model, changes),
     );
     // These remedies name no other files.
     let trials =

@@ -65,7 +65,7 @@ impl Consistency {
     ) -> Result<Self, String> {
         let seen = mismatches(model, recording, (states, feet), measured, weight_n);
         let seen = seen.map_err(|fault| fault.to_string())?;
-        if let Some(cause) = seen.iter().find(|cause| cause.prevents()) {
+        if let Some(cause) = seen.iter().find(|cause| cause.prevents_comparison()) {
             let why = phrase!["contacts and plates do not agree: ", &cause_in_words(cause, feet)];
             let remarks = vec![MotionRemark { code: "disagree", message: why.clone() }];
             return Ok(Consistency { verdict: MotionVerdict::Disagree, why, remarks, correction: None });
@@ -73,7 +73,7 @@ impl Consistency {
         let correction = correct(model, recording, (states, feet), measured, weight_n, options)
             .map_err(|fault| fault.to_string())?;
         let (verdict, causes) = correction.figures.verdict(seen, options);
-        let why = sentence(verdict, &causes, feet, &correction);
+        let why = verdict_in_words(verdict, &causes, feet, &correction);
         let mut remarks = vec![MotionRemark { code: verdict.as_str(), message: why.clone() }];
         let corrected = || MotionRemark { code: "corrected", message: CORRECTED_ALREADY.into() };
         remarks.extend(was_corrected.then(corrected));
@@ -129,14 +129,19 @@ fn cause_in_words(cause: &Mismatch, feet: &[Foot]) -> Phrase {
 }
 
 /// The verdict in a sentence.
-fn sentence(verdict: MotionVerdict, causes: &[Mismatch], feet: &[Foot], correction: &Correction) -> Phrase {
+fn verdict_in_words(
+    verdict: MotionVerdict,
+    causes: &[Mismatch],
+    feet: &[Foot],
+    correction: &Correction,
+) -> Phrase {
     let figures = &correction.figures;
     let side = if correction.floor_up_m < 0.0 { "lower" } else { "higher" };
     let (lift, floor) = (millimetres(figures.lift_p95_m), millimetres(correction.floor_up_m));
-    let degrees = two_digits(figures.worst(|foot| foot.joint_rms_rad).to_degrees());
+    let degrees = two_digits(figures.largest_of_feet(|foot| foot.joint_rms_rad).to_degrees());
     let moves = format!("loaded spheres move up or down by {lift} (95 %), joints by {degrees} degrees (rms)");
     let moves = format!("{moves}; the floor is {floor} {side} than in the model");
-    let left = two_digits(figures.worst(|foot| foot.after.vertical_bw));
+    let left = two_digits(figures.largest_of_feet(|foot| foot.after.vertical_bw));
     let large = "contacts and plates agree after a large correction only, as in half of all recordings";
     match verdict {
         MotionVerdict::Agree => format!("contacts and plates agree: {moves}").into(),
@@ -169,8 +174,9 @@ pub(crate) fn horizontal_error(figures: &CorrectionFigures) -> Option<Phrase> {
 fn figures_in_words(correction: &Correction) -> [String; 4] {
     let figures = &correction.figures;
     let errors = |of: fn(&ForceErrors) -> f64| {
-        let worst =
-            |which: fn(&FootErrors) -> &ForceErrors| two_digits(figures.worst(|foot| of(which(foot))));
+        let worst = |which: fn(&FootErrors) -> &ForceErrors| {
+            two_digits(figures.largest_of_feet(|foot| of(which(foot))))
+        };
         let (after, before) = (worst(|foot| &foot.after), worst(|foot| &foot.before));
         format!("{after} ({before} before; {} if nothing touched)", worst(|foot| &foot.null))
     };

@@ -128,7 +128,7 @@ fn drop_of_subject(request: &DropTestRequest, files: &dyn Files) -> Result<Prepa
     let Some(path) = &request.subject else { return Ok(drop_of_numbers(request)?) };
     let given = request.numbers.given_inputs();
     if !given.is_empty() {
-        let message = phrase!["a model or preset has its own numbers: leave out ", &listed(given)];
+        let message = phrase!["a model or preset has its own numbers: leave out ", &listed_inputs(given)];
         return Err(RequestFault::general(message).into());
     }
     drop_of_named(request, path, &options_for_subject(request), files)
@@ -217,7 +217,7 @@ fn drop_of_numbers(request: &DropTestRequest) -> Result<PreparedDrop, RequestFau
     else {
         let message = phrase![
             "nothing to drop: name a model or a preset, or give the numbers; missing: ",
-            &listed(missing),
+            &listed_inputs(missing),
         ];
         return Err(RequestFault::general(message));
     };
@@ -256,14 +256,14 @@ fn prepare_drop(
     Ok(PreparedDrop { name: name.into(), test, sphere_count: weight.sphere_count, mismatch: None })
 }
 
-fn listed(inputs: Vec<Input>) -> Phrase {
+fn listed_inputs(inputs: Vec<Input>) -> Phrase {
     Phrase::joined(inputs.into_iter().map(Phrase::from), ", ").unwrap_or_default()
 }
 
 // The one register of the figures of a drop, and of the columns of its series. A new one is a new entry here, and a test.
 
 /// An entry of the register of drop figures: where the table shows the figure, and how its value is computed.
-struct Entry {
+struct DropFigureEntry {
     row: DropRow,
     value: FigureValue,
 }
@@ -286,13 +286,13 @@ pub enum DropRow {
     Last,
 }
 
-const fn entry(row: DropRow, value: FigureValue) -> Entry {
-    Entry { row, value }
+const fn entry(row: DropRow, value: FigureValue) -> DropFigureEntry {
+    DropFigureEntry { row, value }
 }
 
 osim_inspect::quantities! {
     /// A figure of a drop, see [`Quantity`]; in the order of the JSON.
-    DropFigure: Entry {
+    DropFigure: DropFigureEntry {
         /// Mass M of the body.
         Mass = Quantity::new("mass_kg", "mass", "kg") => entry(Nowhere, Always(|drop| drop.values.mass_kg));
         /// Spheres n that share the weight.
@@ -377,11 +377,11 @@ fn lift_off(drop: &DropResult) -> Option<LiftOff> {
 }
 
 /// A function that gives the value of a column at one moment of a drop.
-type AtMoment = fn(&DropReport, &Sample) -> f64;
+type ColumnAtMoment = fn(&DropReport, &Sample) -> f64;
 
 osim_inspect::quantities! {
     /// A column of the series of a drop, see [`Quantity`].
-    DropColumn: AtMoment {
+    DropColumn: ColumnAtMoment {
         /// Time.
         Time = Quantity::new("time_s", "time", "s") => |_, sample| sample.time_s;
         /// Height of the sphere bottoms; below 0 they are in the ground.

@@ -10,13 +10,15 @@ use osim_inspect::{
 use osim_model::compare::{Factors, ModelSize, ScaleFile, Similarity, SpherePlacements, moco_bounds};
 use osim_model::files::{Failure, FileName, Files, OpenModel};
 use osim_model::messages::{Phrase, phrase};
-use osim_model::{Anatomy, Document, Fault, Finding, FindingCode, MassRequest, Model, Severity, same_mass};
+use osim_model::{
+    Anatomy, Document, Fault, Finding, FindingCode, MassRequest, Model, Severity, are_equal_masses,
+};
 use osim_requests::options::{AnswerOptions, InspectionOptions, SetFiles};
 use osim_requests::{CheckRequest, InspectRequest, Kilograms};
 
 use crate::consistency::MotionRemark;
 use crate::motion_remarks::CheckedMotion;
-use crate::opening::{moco_setup, open, scale_file};
+use crate::opening::{open, read_moco_setup, read_scale_file};
 use crate::remedies::{NO_CODES, RemedyTrials};
 use crate::{MotionResult, check_with_trials, rules};
 
@@ -70,7 +72,7 @@ fn generic_model(
 ) -> Result<GenericModel, Failure> {
     let generic = open(from, files)?;
     let anatomy = Anatomy::of(&generic.model).map_err(|fault| generic.failure(fault))?;
-    let file = body_scale_file.map(|path| scale_file(path, files)).transpose()?;
+    let file = body_scale_file.map(|path| read_scale_file(path, files)).transpose()?;
     let contacts = ReferenceContacts::from_model(&from.display().to_string(), &generic.model);
     // The masses of the request are those of the scaled model.
     let masses = MassRequest { exclude_bodies: masses.exclude_bodies.clone(), ..MassRequest::default() };
@@ -100,7 +102,7 @@ fn generic_model(
 
 /// Whether the bodies have the mass for which the contacts of the model were published; `None` if the contacts are not published ones.
 fn fits_known_contacts(inspected: &Inspection) -> Option<bool> {
-    Some(same_mass(inspected.known_contacts?.made_for_kg, inspected.mass_kg?))
+    Some(are_equal_masses(inspected.known_contacts?.made_for_kg, inspected.mass_kg?))
 }
 
 /// The generic model with which `check` compares, and the setups of Moco.
@@ -112,11 +114,11 @@ fn generic_model_for_check(
 ) -> Result<GenericModel, Failure> {
     let mut generic = generic_model(from, request.body_scale_file.as_deref(), masses, files)?;
     if let Some(path) = &request.moco_setup {
-        generic.moco = Some(moco_setup(path, files)?);
+        generic.moco = Some(read_moco_setup(path, files)?);
     }
     if let Some(path) = &request.from_moco_setup {
         let model = open(from, files)?.model;
-        generic.size = generic.size.with_values(moco_bounds(&moco_setup(path, files)?, &model));
+        generic.size = generic.size.with_values(moco_bounds(&read_moco_setup(path, files)?, &model));
     }
     Ok(generic)
 }

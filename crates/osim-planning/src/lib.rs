@@ -60,7 +60,7 @@ pub use crate::motion::{MotionResult, PlatesRead, run_motion};
 pub use crate::next_step::{MocoStart, NextModels};
 pub use crate::opening::{all_preset_names, find_presets, may_be_file, open_with, presets_of_unlike_spheres};
 pub use crate::plot::{HeatTable, ModelFeet, TableColumn, plot_bodies, plot_feet, plot_motion, plot_table};
-pub use crate::prepared_change::{PreparedChange, check_with_trials, try_what_can_change};
+pub use crate::prepared_change::{PreparedChange, check_with_trials, find_changeable_values};
 pub use crate::remedies::check_with_remedies;
 pub use crate::sheet::{cell, from_cell, with_text_mark, without_text_mark};
 pub use crate::sweep::{MadeVariant, SweepPlan};

@@ -98,7 +98,9 @@ pub(crate) fn run_opened(
         return Err(Failure::outside(read.name(), "motion", why).into());
     }
     let plates = result.plates.as_ref().zip(result.measured.as_ref());
-    if let Some((read, what)) = plates.and_then(|(read, measured)| Some((read, unmeasurable(measured)?))) {
+    if let Some((read, what)) =
+        plates.and_then(|(read, measured)| Some((read, unusable_force_of_plates(measured)?)))
+    {
         let why = format!("it has {what}: correct the table");
         return Err(Failure::outside(read.name(), "motion", why).into());
     }
@@ -359,7 +361,7 @@ fn refuse_states(states: &ContactStates, weight_n: f64) -> Result<(), Fault> {
                 ("a speed of", state.slip_speed_m_s(), "m/s"),
                 ("a centre at", sum(state.centre_m), "m"),
             ];
-            if let Some((what, value, unit)) = sizes.into_iter().find(|(_, value, _)| !is_measurable(*value))
+            if let Some((what, value, unit)) = sizes.into_iter().find(|(_, value, _)| !is_computable(*value))
             {
                 let (radius_m, text) = (pair.radius_m, "correct what the model says of it");
                 let fault =
@@ -372,15 +374,15 @@ fn refuse_states(states: &ContactStates, weight_n: f64) -> Result<(), Fault> {
 }
 
 /// A force or a moment of the plates that is too large to compute with, in words; `None` if all can be used.
-fn unmeasurable(measured: &MeasuredForces) -> Option<String> {
+fn unusable_force_of_plates(measured: &MeasuredForces) -> Option<String> {
     let mut all = measured.total.iter().chain(measured.feet.iter().flatten()).flatten();
     all.find_map(|wrench| {
-        let beyond = |vector: DVec3| vector.to_array().into_iter().find(|value| !is_measurable(*value));
+        let beyond = |vector: DVec3| vector.to_array().into_iter().find(|value| !is_computable(*value));
         let force = beyond(wrench.force_n).map(|force| format!("a force of {force:e} N"));
         force.or_else(|| Some(format!("a moment of {:e} N m about ground", beyond(wrench.moment_n_m)?)))
     })
 }
 
-fn is_measurable(value: f64) -> bool {
+fn is_computable(value: f64) -> bool {
     value.abs() <= LARGEST_VALUE
 }

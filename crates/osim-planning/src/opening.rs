@@ -33,7 +33,7 @@ pub(crate) fn read(path: &Path, files: &dyn Files) -> Result<Vec<u8>, Failure> {
 ///
 /// # Errors
 /// The file cannot be read, or is not a ScaleSet.
-pub(crate) fn scale_file(path: &Path, files: &dyn Files) -> Result<ScaleFile, Failure> {
+pub(crate) fn read_scale_file(path: &Path, files: &dyn Files) -> Result<ScaleFile, Failure> {
     let bytes = read(path, files)?;
     let document = Document::parse(bytes).map_err(|fault| Failure::from_fault(path, fault))?;
     ScaleFile::read(&document)
@@ -44,7 +44,7 @@ pub(crate) fn scale_file(path: &Path, files: &dyn Files) -> Result<ScaleFile, Fa
 ///
 /// # Errors
 /// The file cannot be read, or has no problem of Moco in it.
-pub(crate) fn moco_setup(path: &Path, files: &dyn Files) -> Result<Document, Failure> {
+pub(crate) fn read_moco_setup(path: &Path, files: &dyn Files) -> Result<Document, Failure> {
     let bytes = read(path, files)?;
     let document = Document::parse(bytes).map_err(|fault| Failure::from_fault(path, fault))?;
     let problem = refuse_without_moco_phase(&document);

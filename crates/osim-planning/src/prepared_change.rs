@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use osim_inspect::{
-    Changeable, CheckResult, InspectOptions, Inspection, ReferenceState, check_model,
+    ChangeableValues, CheckResult, InspectOptions, Inspection, ReferenceState, check_model,
     masses_perhaps_in_pounds, unexplained_mass,
 };
 use osim_model::files::{Failure, Files, OpenModel};
@@ -32,7 +32,7 @@ pub(crate) trait Planner: Send + Sync {
     ///
     /// # Errors
     /// Those of [`plan`](Self::plan), with the name of the file and the place; a file that is missing or broken.
-    fn plan_beside(&self, opened: &OpenModel, files: &dyn Files) -> Result<Plan, Failure> {
+    fn plan_with_companions(&self, opened: &OpenModel, files: &dyn Files) -> Result<Plan, Failure> {
         // Most plans follow from the model alone.
         let _ = files;
         self.plan(&opened.model).map_err(|fault| opened.failure(fault))
@@ -152,10 +152,10 @@ impl PreparedChange {
     ///
     /// # Errors
     /// Those of [`plan_alone`](Self::plan_alone), with the name of the file and the place; a file that is missing or broken.
-    pub fn plan_beside(&self, opened: &OpenModel, files: &dyn Files) -> Result<Plan, Failure> {
+    pub fn plan_with_companions(&self, opened: &OpenModel, files: &dyn Files) -> Result<Plan, Failure> {
         let failure = |fault| opened.failure(fault);
         self.ask_about_masses(&opened.model).map_err(failure)?;
-        let plan = self.planner.plan_beside(opened, files)?;
+        let plan = self.planner.plan_with_companions(opened, files)?;
         self.ask_about_radii(&opened.model, plan).map_err(failure)
     }
 
@@ -237,13 +237,17 @@ pub(crate) fn file_name(path: &Path) -> String {
 }
 
 /// Finds by trial plans what can be changed in a model, so that no remedy proposes a change that would be refused.
-pub fn try_what_can_change(options: &InspectOptions, model: &Model) -> Changeable {
-    try_what_else_can_change(options, model, numbers_may_change(options, model))
+pub fn find_changeable_values(options: &InspectOptions, model: &Model) -> ChangeableValues {
+    find_other_changeable_values(options, model, numbers_may_change(options, model))
 }
 
-/// Like [`try_what_can_change`], for a caller who knows already whether numbers can be changed.
-pub(crate) fn try_what_else_can_change(options: &InspectOptions, model: &Model, numbers: bool) -> Changeable {
-    Changeable { numbers, radii: !numbers || radii_may_change(options, model) }
+/// Like [`find_changeable_values`], for a caller who knows already whether numbers can be changed.
+pub(crate) fn find_other_changeable_values(
+    options: &InspectOptions,
+    model: &Model,
+    numbers: bool,
+) -> ChangeableValues {
+    ChangeableValues { numbers, radii: !numbers || radii_may_change(options, model) }
 }
 
 /// Whether a trial plan that changes radii is accepted. It is refused if a force that does not change uses the same sphere.
@@ -272,7 +276,7 @@ pub fn check_with_trials(
     inspected: &Inspection,
     beside: &[Finding],
 ) -> CheckResult {
-    check_model(options, model, inspected, beside, try_what_can_change(options, model))
+    check_model(options, model, inspected, beside, find_changeable_values(options, model))
 }
 
 #[cfg(test)]

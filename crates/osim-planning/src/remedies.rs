@@ -104,7 +104,7 @@ impl RemedyTrials<'_> {
     /// The first remedy that works, and the model after it.
     fn next_step(&self, model: &Model, found: &CheckResult) -> Option<(Request, ModelAfterStep)> {
         let from = model_path(found);
-        candidates(found).into_iter().find_map(|RemedyCandidate { mut request, parts, .. }| {
+        remedy_candidates(found).into_iter().find_map(|RemedyCandidate { mut request, parts, .. }| {
             let is_proposed =
                 |one: &&FindingWithRemedy| one.remedy.as_ref().is_some_and(|one| parts.contains(one));
             let its: Vec<&FindingWithRemedy> = found.findings.iter().filter(is_proposed).collect();
@@ -156,7 +156,7 @@ fn model_path(found: &CheckResult) -> PathBuf {
 /// The remedies to try, in this order: remedies that make contacts right for their body, because the others depend on them; conversions of
 /// forces; numbers of some forces; designs of all forces. Remedies that differ only in their forces are also joined to one command, and all
 /// designs are merged to one.
-fn candidates(found: &CheckResult) -> Vec<RemedyCandidate> {
+fn remedy_candidates(found: &CheckResult) -> Vec<RemedyCandidate> {
     let rank = |one: &RemedyCandidate| match &one.request {
         Request::Rescale(_) | Request::Transfer(_) => 0,
         Request::Convert(_) => 1,

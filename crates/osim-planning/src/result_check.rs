@@ -11,7 +11,7 @@ use osim_model::files::{Failure, Files, OpenModel};
 use osim_model::messages::{Input, Phrase, Verb, phrase};
 use osim_model::{
     Fault, Finding, FindingCode, Limb, Model, Property, Severity, Source, Suspicion, YesQuestion,
-    is_at_target, same_mass,
+    are_equal_masses, is_at_target,
 };
 use osim_patch::{ChangedBy, Plan, StepDetails};
 use osim_requests::NoteDetails;
@@ -49,7 +49,7 @@ impl PreparedChange {
     /// The plan with its note, and with the findings about the change itself.
     fn plan_with_note(&self, opened: &OpenModel, files: &dyn Files) -> Result<Plan, Failure> {
         let model = &opened.model;
-        let mut plan = self.plan_beside(opened, files)?;
+        let mut plan = self.plan_with_companions(opened, files)?;
         if self.output.no_note {
             plan.drop_note();
             if model.note.is_some() && !plan.is_empty() {
@@ -185,7 +185,7 @@ impl PreparedChange {
     /// known, and a warning about the present pose would come with every rescaling to another mass.
     fn bodies_await_scaling(&self, plan: &Plan, weighs_kg: Option<f64>) -> bool {
         let target_mass_kg = plan.masses.as_ref().map(|masses| masses.target_mass_kg);
-        let is_other = |target| weighs_kg.is_none_or(|weighs| !same_mass(weighs, target));
+        let is_other = |target| weighs_kg.is_none_or(|weighs| !are_equal_masses(weighs, target));
         self.is_for_target_mass() && target_mass_kg.is_some_and(is_other)
     }
 }

@@ -3,8 +3,8 @@
 use foldhash::HashMap;
 use osim_model::{Body, Document, Fault, FaultKind, HalfSpace, Model, Note, Property, SphereId};
 
-use crate::edit::edited;
-use crate::insert::Node;
+use crate::edit::model_with_edits;
+use crate::insert::NewElement;
 use crate::objects::nodes::{self, ForceValues, NamesInList, ParentFrame, SurfacePaths};
 use crate::objects::rebuilt::{
     EarlierNote, ObjectAction, ObjectChange, RebuiltModel, TakenNames, refuse_non_utf8_name,
@@ -75,9 +75,9 @@ pub fn add_contacts(model: &Model, layout: &mut ContactLayout) -> Result<Rebuilt
         contact.force = names.reserve(&contact.force)?;
         let sphere = format!("/contactgeometryset/{}", contact.sphere);
         let parent_frame = ParentFrame { name: &body.name, path: &body.path };
-        geometry.push(nodes::sphere_node(version, &parent_frame, contact)?);
+        geometry.push(nodes::sphere_element(version, &parent_frame, contact)?);
         objects.push(added("ContactSphere", [&contact.sphere, &sphere], Some(&contact.body)));
-        forces.push(force_node(
+        forces.push(force_element_of_contact(
             model.document(),
             &list,
             contact,
@@ -96,7 +96,7 @@ pub fn add_contacts(model: &Model, layout: &mut ContactLayout) -> Result<Rebuilt
     if !beside_others {
         made.push(Note::ALL_ADDED_MARK);
     }
-    let mut rebuilt = RebuiltModel::new(edited(model, edits)?, objects, made);
+    let mut rebuilt = RebuiltModel::new(model_with_edits(model, edits)?, objects, made);
     rebuilt.earlier_note = EarlierNote::KeptBeside;
     if beside_others {
         rebuilt.added = layout.contacts.iter().map(|contact| Note::operation_text(&contact.force)).collect();
@@ -117,12 +117,12 @@ fn refuse_fixed_body(body: &Body) -> Result<(), Fault> {
     Err(Fault::refused(text).at_element(body.path.clone()))
 }
 
-fn force_node(
+fn force_element_of_contact(
     document: &Document,
     list: &NamesInList,
     contact: &NewContact,
     paths: &SurfacePaths<'_>,
-) -> Result<Node, Fault> {
+) -> Result<NewElement, Fault> {
     // In the list of a HuntCrossleyForce, members of the geometry set are called by their names.
     let surfaces = match contact.kind {
         osim_model::ForceKind::HuntCrossley => {

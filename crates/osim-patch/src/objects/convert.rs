@@ -8,7 +8,7 @@ use osim_model::{
     Sphere, Tree, moving_spheres,
 };
 
-use crate::edit::{Edit, edited};
+use crate::edit::{Edit, model_with_edits};
 use crate::insert::{indentation_unit, white_space_before};
 use crate::objects::layout::{ContactLayout, NewContact, SpherePlanePair, sphere_plane_pairs};
 use crate::objects::nodes::{self, ForceValues, NamesInList, SurfacePaths, SurfacesInsideForces};
@@ -73,7 +73,7 @@ pub fn convert(model: &Model, selected: &Selected, wanted: &Convert) -> Result<C
     let tree = document.tree();
     let (mut names, list) = (TakenNames::of(model), NamesInList::of(model));
     let mut made = Converted {
-        rebuilt: RebuiltModel::new(edited(model, Vec::new())?, Vec::new(), String::new()),
+        rebuilt: RebuiltModel::new(model_with_edits(model, Vec::new())?, Vec::new(), String::new()),
         findings: Vec::new(),
         renamed: Vec::new(),
         without_sphere: Vec::new(),
@@ -114,7 +114,7 @@ pub fn convert(model: &Model, selected: &Selected, wanted: &Convert) -> Result<C
         edits.extend(GEOMETRY_SET.add(tree, root, &inside.geometry, &mut String::new()));
         objects.splice(0..0, inside.objects);
     }
-    made.rebuilt = RebuiltModel::new(edited(model, edits)?, objects, String::new());
+    made.rebuilt = RebuiltModel::new(model_with_edits(model, edits)?, objects, String::new());
     Ok(made)
 }
 

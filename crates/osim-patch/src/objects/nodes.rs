@@ -6,7 +6,7 @@ use osim_model::{
     Class, Document, Fault, FileId, Force, ForceKind, HalfSpace, Model, Orientation, Property, Sphere,
 };
 
-use crate::insert::{Node, escaped_attribute};
+use crate::insert::{NewElement, escaped_attribute};
 use crate::objects::rebuilt::{ObjectAction, ObjectChange, TakenNames, refuse_non_utf8_name};
 use crate::{NewContact, change};
 
@@ -24,53 +24,53 @@ pub(super) struct ParentFrame<'c> {
 const GROUND_FRAME: ParentFrame<'static> = ParentFrame { name: "ground", path: "/ground" };
 
 impl ParentFrame<'_> {
-    fn node(&self, version: u32) -> Node {
+    fn node(&self, version: u32) -> NewElement {
         if version < FIRST_WITH_SOCKET_FRAME {
-            Node::leaf("body_name", escaped_attribute(self.name))
+            NewElement::leaf("body_name", escaped_attribute(self.name))
         } else {
-            Node::leaf("socket_frame", escaped_attribute(self.path))
+            NewElement::leaf("socket_frame", escaped_attribute(self.path))
         }
     }
 }
 
 /// An element with three numbers; `name` is the object's name in the error message.
-fn triple_node(tag: &str, values: [f64; 3], name: &str) -> Result<Node, Fault> {
+fn triple_element(tag: &str, values: [f64; 3], name: &str) -> Result<NewElement, Fault> {
     // The mirror image of 0 is 0, without a minus.
     let values = values.map(|value| value + 0.0);
     let text = change::triple_text(values, tag, || format!("the place that {name} is to have"));
-    Ok(Node::leaf(tag, text.map_err(|fault| fault.at_element(name))?))
+    Ok(NewElement::leaf(tag, text.map_err(|fault| fault.at_element(name))?))
 }
 
 /// The element `<ContactSphere>` of a new contact.
-pub(super) fn sphere_node(
+pub(super) fn sphere_element(
     version: u32,
     parent_frame: &ParentFrame<'_>,
     contact: &NewContact,
-) -> Result<Node, Fault> {
+) -> Result<NewElement, Fault> {
     let name = contact.sphere.as_str();
-    let place = triple_node("location", contact.location_m, name)?;
+    let place = triple_element("location", contact.location_m, name)?;
     let radius = change::number_text(contact.radius_m, Property::Radius, || {
         format!("the radius that {name} is to have")
     });
-    let radius = Node::leaf("radius", radius.map_err(|fault| fault.at_element(name))?);
-    Ok(Node::object(Class::ContactSphere.tag(), name, vec![parent_frame.node(version), place, radius]))
+    let radius = NewElement::leaf("radius", radius.map_err(|fault| fault.at_element(name))?);
+    Ok(NewElement::object(Class::ContactSphere.tag(), name, vec![parent_frame.node(version), place, radius]))
 }
 
 /// The element `<ContactHalfSpace>` with a location (m) and three angles (rad).
-fn half_space_node(
+fn half_space_element(
     version: u32,
     parent_frame: &ParentFrame<'_>,
     name: &str,
     [location_m, angles_rad]: [[f64; 3]; 2],
-) -> Result<Node, Fault> {
-    let place = triple_node("location", location_m, name)?;
-    let turned = triple_node("orientation", angles_rad, name)?;
-    Ok(Node::object("ContactHalfSpace", name, vec![parent_frame.node(version), place, turned]))
+) -> Result<NewElement, Fault> {
+    let place = triple_element("location", location_m, name)?;
+    let turned = triple_element("orientation", angles_rad, name)?;
+    Ok(NewElement::object("ContactHalfSpace", name, vec![parent_frame.node(version), place, turned]))
 }
 
 /// The element `<ContactHalfSpace>` through the origin of ground; its normal points along `up`.
-pub(super) fn floor(version: u32, name: &str, up: [f64; 3]) -> Result<Node, Fault> {
-    half_space_node(version, &GROUND_FRAME, name, [[0.0; 3], Orientation::facing(up)])
+pub(super) fn floor(version: u32, name: &str, up: [f64; 3]) -> Result<NewElement, Fault> {
+    half_space_element(version, &GROUND_FRAME, name, [[0.0; 3], Orientation::facing(up)])
 }
 
 /// Parameters of a new force, and the source of each in words.
@@ -99,7 +99,7 @@ pub(super) fn force(
     surfaces: &SurfacePaths<'_>,
     values: &ForceValues<'_>,
     applies: bool,
-) -> Result<Node, Fault> {
+) -> Result<NewElement, Fault> {
     let values_of = |class: Class| {
         let value = |property: Property| {
             let given = values.numbers.iter().find(|(known, _)| *known == property).map(|(_, value)| *value);
@@ -107,37 +107,45 @@ pub(super) fn force(
         };
         let leaf = |&property: &Property| {
             let text = change::number_text(value(property)?, property, || (values.origin)(property));
-            Some(text.map(|text| Node::leaf(property.name(), text)).map_err(|fault| fault.at_element(name)))
+            Some(
+                text.map(|text| NewElement::leaf(property.name(), text))
+                    .map_err(|fault| fault.at_element(name)),
+            )
         };
         class.parameters().iter().filter_map(leaf).collect::<Result<Vec<_>, _>>()
     };
     let on_or_off = |class: Class| {
         let is_changed = ["appliesForce", "isDisabled"].iter().any(|tag| has_default(document, class, tag));
-        (!applies || is_changed).then(|| Node::leaf("appliesForce", applies.to_string()))
+        (!applies || is_changed).then(|| NewElement::leaf("appliesForce", applies.to_string()))
     };
     Ok(match kind {
         ForceKind::HuntCrossley => {
             let geometry =
                 format!("{} {}", escaped_attribute(surfaces.sphere), escaped_attribute(surfaces.plane));
-            let mut parameters = vec![Node::leaf("geometry", geometry)];
+            let mut parameters = vec![NewElement::leaf("geometry", geometry)];
             parameters.extend(values_of(Class::ContactParameters)?);
-            let list =
-                Node::parent("objects", vec![Node::parent(Class::ContactParameters.tag(), parameters)]);
-            let set =
-                Node::object("HuntCrossleyForce::ContactParametersSet", "contact_parameters", vec![list]);
-            let mut children: Vec<Node> = on_or_off(Class::HuntCrossleyForce).into_iter().collect();
+            let list = NewElement::parent(
+                "objects",
+                vec![NewElement::parent(Class::ContactParameters.tag(), parameters)],
+            );
+            let set = NewElement::object(
+                "HuntCrossleyForce::ContactParametersSet",
+                "contact_parameters",
+                vec![list],
+            );
+            let mut children: Vec<NewElement> = on_or_off(Class::HuntCrossleyForce).into_iter().collect();
             children.push(set);
             children.extend(values_of(Class::HuntCrossleyForce)?);
-            Node::object(kind.as_str(), name, children)
+            NewElement::object(kind.as_str(), name, children)
         }
         _ => {
             let mut children = vec![
-                Node::leaf("socket_sphere", escaped_attribute(surfaces.sphere)),
-                Node::leaf("socket_half_space", escaped_attribute(surfaces.plane)),
+                NewElement::leaf("socket_sphere", escaped_attribute(surfaces.sphere)),
+                NewElement::leaf("socket_half_space", escaped_attribute(surfaces.plane)),
             ];
             children.extend(on_or_off(Class::SmoothSphereHalfSpaceForce));
             children.extend(values_of(Class::SmoothSphereHalfSpaceForce)?);
-            Node::object(kind.as_str(), name, children)
+            NewElement::object(kind.as_str(), name, children)
         }
     })
 }
@@ -177,7 +185,7 @@ impl NamesInList {
 #[derive(Default)]
 pub(super) struct SurfacesInsideForces {
     /// New elements of the contact geometry set.
-    pub(super) geometry: Vec<Node>,
+    pub(super) geometry: Vec<NewElement>,
     pub(super) objects: Vec<ObjectChange>,
     /// The new path of each half-space that is already a new element, by its frame, location and angles.
     planes: HashMap<(String, [[u64; 3]; 2]), String>,
@@ -219,7 +227,7 @@ impl SurfacesInsideForces {
         contact.radius_m = sphere.radius_m()?;
         let parent_frame =
             ParentFrame { name: sphere.body.as_deref().unwrap_or("ground"), path: &sphere.frame };
-        self.geometry.push(sphere_node(model.document().version(), &parent_frame, &contact)?);
+        self.geometry.push(sphere_element(model.document().version(), &parent_frame, &contact)?);
         Ok(self.record_added("ContactSphere", contact.sphere, sphere.body.clone()))
     }
 
@@ -243,7 +251,7 @@ impl SurfacesInsideForces {
         let parent_frame =
             ParentFrame { name: plane.body.as_deref().unwrap_or("ground"), path: &plane.frame_path };
         let version = model.document().version();
-        self.geometry.push(half_space_node(version, &parent_frame, &name, [location_m, angles_rad])?);
+        self.geometry.push(half_space_element(version, &parent_frame, &name, [location_m, angles_rad])?);
         let path = self.record_added("ContactHalfSpace", name, plane.body.clone());
         self.planes.insert(key, path.clone());
         Ok(path)

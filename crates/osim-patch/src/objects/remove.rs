@@ -9,7 +9,7 @@ use osim_model::{
     Model, Note, OTHER_CONTACT_CLASSES, Selected, SphereId, Tree, moving_spheres, opensim_text,
 };
 
-use crate::edit::{Edit, edited};
+use crate::edit::{Edit, model_with_edits};
 use crate::insert::with_white_space_before;
 use crate::objects::add::MARK_OF_MADE_FLOOR;
 use crate::objects::rebuilt::{
@@ -70,11 +70,11 @@ pub fn remove(model: &Model, selected: &Selected, others: &[ComponentId]) -> Res
         }
     }
     refuse_users(model, &elements, &going_names)?;
-    let mut rebuilt = edited(model, removal_edits(model, &elements, &mut made))?;
+    let mut rebuilt = model_with_edits(model, removal_edits(model, &elements, &mut made))?;
     let is_last = !crate::note::leaves_noted_contacts(model, &rebuilt) || removes_all_added(model, &going);
     if is_last {
         // Without contacts, a note about contacts would be wrong.
-        rebuilt = edited(&rebuilt, crate::note_edits::remove_note(rebuilt.document()))?;
+        rebuilt = model_with_edits(&rebuilt, crate::note_edits::remove_note(rebuilt.document()))?;
     }
     let made = crate::note_edits::merged_letters(&made, "");
     let mut rebuilt = RebuiltModel::new(rebuilt, objects, made);

@@ -3,7 +3,7 @@
 use osim_model::{ElementId, Fault, FaultKind, Model, Tree};
 
 use crate::edit::Edit;
-use crate::insert::{EmptyForm, Node, append, fill, insert, with_white_space_before};
+use crate::insert::{EmptyForm, NewElement, append, fill, insert, with_white_space_before};
 
 /// The elements of a model around its sets, in the order in which OpenSim writes them.
 const ORDER_OF_SETS_IN_MODEL: [&str; 15] = [
@@ -68,19 +68,19 @@ impl ObjectSet {
         &self,
         tree: &Tree,
         model: ElementId,
-        members: &[Node],
+        members: &[NewElement],
         made: &mut String,
     ) -> Vec<Edit> {
         let Some(set) = self.element(tree, model) else {
             made.push(self.whole);
-            let objects = Node::parent(OBJECTS_TAG, members.to_vec());
-            let whole = Node::object(self.tag, &self.tag.to_ascii_lowercase(), vec![objects]);
+            let objects = NewElement::parent(OBJECTS_TAG, members.to_vec());
+            let whole = NewElement::object(self.tag, &self.tag.to_ascii_lowercase(), vec![objects]);
             return insert(tree, model, &ORDER_OF_SETS_IN_MODEL, &[whole]);
         };
         let [of_set, of_objects] = &self.opened;
         let Some(objects) = tree.child(set, OBJECTS_TAG) else {
             made.push(self.objects);
-            let list = Node::parent(OBJECTS_TAG, members.to_vec());
+            let list = NewElement::parent(OBJECTS_TAG, members.to_vec());
             return match append_first(tree, set, &list) {
                 Some(edit) => vec![edit],
                 None => fill_empty(tree, set, &[list], of_set, made),
@@ -128,7 +128,7 @@ impl ObjectSet {
 }
 
 /// The edit that inserts `list` before the other content of `set`; `None` if the set is empty.
-fn append_first(tree: &Tree, set: ElementId, list: &Node) -> Option<Edit> {
+fn append_first(tree: &Tree, set: ElementId, list: &NewElement) -> Option<Edit> {
     let list = std::slice::from_ref(list);
     match tree.children(set).next() {
         Some(_) => insert(tree, set, &[OBJECTS_TAG, "groups"], list).pop(),
@@ -139,7 +139,7 @@ fn append_first(tree: &Tree, set: ElementId, list: &Node) -> Option<Edit> {
 fn fill_empty(
     tree: &Tree,
     element: ElementId,
-    nodes: &[Node],
+    nodes: &[NewElement],
     letters: &[(char, EmptyForm); 3],
     made: &mut String,
 ) -> Vec<Edit> {

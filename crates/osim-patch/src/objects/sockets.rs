@@ -2,7 +2,7 @@
 
 use osim_model::{ElementId, Fault, Irregularity, Model};
 
-use crate::edit::{Edit, edited};
+use crate::edit::{Edit, model_with_edits};
 use crate::insert::escaped_attribute;
 use crate::objects::rebuilt::{EarlierNote, ObjectAction, ObjectChange, RebuiltModel};
 
@@ -36,7 +36,7 @@ pub fn connect_sockets(model: &Model) -> Result<RebuiltModel, Fault> {
             connect(owner, taken, *socket);
         }
     }
-    let mut rebuilt = RebuiltModel::new(edited(model, edits)?, objects, String::new());
+    let mut rebuilt = RebuiltModel::new(model_with_edits(model, edits)?, objects, String::new());
     rebuilt.earlier_note = EarlierNote::Untouched;
     Ok(rebuilt)
 }

@@ -189,7 +189,7 @@ fn dimensionless_contact(contact: &ReferenceContact) -> Result<DimensionlessCont
 }
 
 /// Factors with at most this relative difference are equal.
-const SAME_FACTOR: f64 = 1e-6;
+const EQUAL_FACTORS_TOLERANCE: f64 = 1e-6;
 
 /// Whether the spheres of `force` have several ContactParameters, each matched by name with the reference.
 pub(crate) fn has_several_sets(plan: &PlanBuilder<'_>, force: &Force, wanted: &Transfer) -> bool {
@@ -224,7 +224,7 @@ pub(crate) fn plan_several_sets(
         };
         let Some((factor, by)) = scaled else { continue };
         let factor = factor * composite_ratio(plan, force, chosen, property)?;
-        plan.change_sets(force, property, |from| NewNumber::times(from, factor, by))?;
+        plan.change_in_all_sets(force, property, |from| NewNumber::multiplied(from, factor, by))?;
     }
     Ok(())
 }
@@ -263,7 +263,9 @@ fn composite_ratio(
             continue;
         }
         let ratio = if there == here { 1.0 } else { there / here };
-        if common.is_some_and(|other| (other - ratio).abs() > SAME_FACTOR * other) || !ratio.is_finite() {
+        if common.is_some_and(|other| (other - ratio).abs() > EQUAL_FACTORS_TOLERANCE * other)
+            || !ratio.is_finite()
+        {
             return Err(fault_of_unequal_material_changes(force, property));
         }
         common.get_or_insert(ratio);

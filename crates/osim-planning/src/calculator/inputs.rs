@@ -239,7 +239,7 @@ const MOST_RADIUS_ITERATIONS: u32 = 60;
 
 /// A smoothed contact that does not move, by (C.9) at speed 0.
 #[derive(Clone, Copy)]
-pub(super) struct AtRest {
+pub(super) struct RestingContact {
     /// The force of the contact at speed 0 over the Hertz force.
     pub(super) speed_state: f64,
     dissipation_s_m: f64,
@@ -248,7 +248,7 @@ pub(super) struct AtRest {
     is_default: bool,
 }
 
-impl AtRest {
+impl RestingContact {
     /// The contact for the wanted numbers; `None` if no smoothing is wanted, or no dissipation is known.
     fn from_wanted(
         request: &DesignRequest,
@@ -323,11 +323,11 @@ pub(super) fn solve_at_rest(
     known: &KnownQuantities,
     inputs: &DesignInputs,
     request: &DesignRequest,
-) -> Result<(Option<Sizing>, Option<AtRest>), RequestFault> {
+) -> Result<(Option<Sizing>, Option<RestingContact>), RequestFault> {
     let mut radius = inputs.radius_m;
     let mut solution = (None, None);
     for _ in 0..MOST_RADIUS_ITERATIONS {
-        let at_rest = AtRest::from_wanted(request, radius, inputs.gravity_m_s2)?;
+        let at_rest = RestingContact::from_wanted(request, radius, inputs.gravity_m_s2)?;
         let sizing = match known.solve_smoothed(at_rest.map_or(1.0, |known| known.speed_state)) {
             Ok(sizing) => Some(sizing),
             // Some figures need no sizing.

@@ -16,7 +16,7 @@ use osim_requests::options::WantedOptions;
 use osim_requests::{ConstantIndentation, DesignRequest, Positive, RequestFault, RestitutionCoefficient};
 use serde::Serialize;
 
-use inputs::{AtRest, DesignInputs, ModulusSource, solve_at_rest, speed_smoothing};
+use inputs::{RestingContact, DesignInputs, ModulusSource, solve_at_rest, speed_smoothing};
 pub(crate) use inputs::{STANDARD_GRAVITY_M_S2, domain_fault};
 
 /// All figures that follow from the known ones. Serialised it is the JSON contract of `design` without a model; `docs/reference/json.md`
@@ -71,18 +71,18 @@ impl DesignSheet {
     }
 
     fn add(&mut self, quantity: DesignQuantity, value: f64, given: bool) {
-        self.add_by(quantity.info().equation, quantity, value, given);
+        self.add_with_equation(quantity.info().equation, quantity, value, given);
     }
 
     /// Adds a figure that depends on the force at speed 0. If the contact is `smoothed`, its equations include (C.9).
     fn add_at_rest(&mut self, smoothed: bool, quantity: DesignQuantity, value: f64, given: bool) {
         let equation = quantity.info().equation;
         let equation = if smoothed { format!("{equation}, C.9").into() } else { Cow::from(equation) };
-        self.add_by(equation, quantity, value, given);
+        self.add_with_equation(equation, quantity, value, given);
     }
 
     /// Adds a figure that was computed by another equation than the usual equation of its quantity.
-    fn add_by(
+    fn add_with_equation(
         &mut self,
         equation: impl Into<Cow<'static, str>>,
         quantity: DesignQuantity,
@@ -239,7 +239,9 @@ fn add_moduli(
     smoothed: bool,
 ) -> Result<(), RequestFault> {
     match from.equation() {
-        Some(equation) => sheet.add_by(equation, DesignQuantity::CompositeModulus, composite, false),
+        Some(equation) => {
+            sheet.add_with_equation(equation, DesignQuantity::CompositeModulus, composite, false)
+        }
         None => sheet.add_at_rest(smoothed, DesignQuantity::CompositeModulus, composite, false),
     }
     let surface =
@@ -264,11 +266,11 @@ fn add_sizing(
     known: &KnownQuantities,
     inputs: &DesignInputs,
     load: Option<&SharedLoad>,
-    at_rest: Option<AtRest>,
+    at_rest: Option<RestingContact>,
 ) -> Result<(), RequestFault> {
     let (radius, x) = (sizing.radius_m, sizing.relative_indentation);
     let (load_n, k) = (sizing.load_per_sphere_n, sizing.stiffness_n_m);
-    let smoothed = at_rest.is_some_and(AtRest::changes_force);
+    let smoothed = at_rest.is_some_and(RestingContact::changes_force);
     sheet.add_at_rest(smoothed, DesignQuantity::LoadPerSphere, load_n, known.load_per_sphere_n.is_some());
     sheet.add(DesignQuantity::Radius, radius, known.radius_m.is_some());
     let x_given = known.relative_indentation.is_some() && inputs.depth == Input::Indentation;
@@ -300,7 +302,7 @@ fn add_sizing(
             stiffness::equilibrium_frequency(x, radius, inputs.gravity_m_s2).map_err(domain_fault)?;
         sheet.add(DesignQuantity::EquilibriumFrequency, frequency, false);
     }
-    sheet.remarks.extend(at_rest.and_then(AtRest::remark));
+    sheet.remarks.extend(at_rest.and_then(RestingContact::remark));
     sheet
         .remarks
         .extend(ways_within_hertz(x).map(|ways| format!("Hertz' law is not accurate at this x/R: {ways}")));
@@ -351,7 +353,7 @@ fn add_smoothing(
     request: &DesignRequest,
     radius: Option<f64>,
     composite: Option<f64>,
-    at_rest: Option<AtRest>,
+    at_rest: Option<RestingContact>,
 ) -> Result<(), RequestFault> {
     let need = |input: Input| {
         radius.ok_or_else(|| {
@@ -395,7 +397,7 @@ fn add_smoothing(
         let elastic = SmoothSphere::new(hertz, 0.0, values).map_err(domain_fault)?.elastic_force(0.0);
         match at_rest {
             Some(known) => sheet.add(DesignQuantity::ForceJustTouching, elastic * known.speed_state, false),
-            None => sheet.add_by("C.3", DesignQuantity::ForceJustTouching, elastic, false),
+            None => sheet.add_with_equation("C.3", DesignQuantity::ForceJustTouching, elastic, false),
         }
     }
     Ok(())

@@ -87,7 +87,7 @@ pub(crate) fn findings_on_smoothing(model: &Model) -> Vec<Finding> {
         model,
         &inspection,
         &[],
-        prepared_change::try_what_else_can_change(&options, model, true),
+        prepared_change::find_other_changeable_values(&options, model, true),
     )
     .findings
     .into_iter();

@@ -74,7 +74,7 @@ impl RowCells {
                     let from = preset_or_model_path(folder, cell, presets.as_deref(), files);
                     cells.set_field(&column.field, path::to_value(&from));
                 }
-                CellKind::Value => cells.set_field(&column.field, number(cell, sheet, column)?),
+                CellKind::Value => cells.set_field(&column.field, number_text(cell, sheet, column)?),
                 CellKind::List => {
                     cells.set_field(&column.field, cell_items(cell, &[';']).collect::<Vec<_>>());
                 }
@@ -171,7 +171,7 @@ fn preset_or_model_path(folder: &Path, cell: &str, presets: Option<&Path>, files
 }
 
 /// The text of a number with a decimal point. The cell may have a decimal comma if the meaning of the comma is clear.
-pub(super) fn number(cell: &str, sheet: &Sheet, column: &Column) -> Result<String, RowFault> {
+pub(super) fn number_text(cell: &str, sheet: &Sheet, column: &Column) -> Result<String, RowFault> {
     let refused = |message: String| RowFault::of(&column.header, Phrase::from(message));
     let digits = cell.strip_prefix(['x', 'X']).unwrap_or(cell);
     let numeric = digits.starts_with(|c: char| c.is_ascii_digit() || c == '-' || c == '+')
@@ -228,7 +228,7 @@ impl MassesOfTable {
             let column = columns.columns.get(at)?;
             let cells = sheet.rows.iter().filter_map(|row| row.cells.get(at));
             let mut masses: Vec<f64> =
-                cells.filter_map(|cell| number(cell, sheet, column).ok()?.parse().ok()).collect();
+                cells.filter_map(|cell| number_text(cell, sheet, column).ok()?.parse().ok()).collect();
             masses.sort_by(f64::total_cmp);
             Some((input, masses))
         };

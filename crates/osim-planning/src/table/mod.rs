@@ -81,7 +81,7 @@ impl Table {
 
     fn request(&self, row: &Row, call: &OutputOptions, files: &dyn Files) -> Result<RowRequest, RowFault> {
         let cells = RowCells::read(row, &self.columns, &self.sheet, &self.folder, files)?;
-        let output = output(&cells, call)?;
+        let output = output_options_of_row(&cells, call)?;
         let RowCells { verb, model, fields, .. } = cells;
         let user_columns = self.columns.user_columns(&row.cells);
         Ok(RowRequest { line: row.line, verb, model, output, user_columns, fields })
@@ -177,7 +177,7 @@ impl Table {
 }
 
 /// Output options of a row: the options in its cells, else the options of the call.
-fn output(cells: &RowCells, call: &OutputOptions) -> Result<OutputOptions, RowFault> {
+fn output_options_of_row(cells: &RowCells, call: &OutputOptions) -> Result<OutputOptions, RowFault> {
     let named = cells.output.is_some() || cells.output_dir.is_some();
     if cells.output.as_deref() == Some(Path::new("-")) {
         return Err(RowFault::of("output", "standard output takes one model: name a file"));

@@ -34,10 +34,10 @@ pub(crate) fn changing_verbs() -> String {
 pub fn prepare(request: impl Into<Request>, files: &dyn Files) -> Result<PreparedChange, RequestError> {
     let request = request.into();
     let (details, settings) = (request.noted(), request.settings());
-    Ok(PreparedChange { details, settings, ..change(request, files)? })
+    Ok(PreparedChange { details, settings, ..prepare_change(request, files)? })
 }
 
-fn change(request: Request, files: &dyn Files) -> Result<PreparedChange, RequestError> {
+fn prepare_change(request: Request, files: &dyn Files) -> Result<PreparedChange, RequestError> {
     match request {
         Request::Rescale(request) => rescale::prepare(*request, files),
         Request::Design(request) => Ok(design::prepare(*request)?),

@@ -17,7 +17,7 @@ use osim_model::{
 use osim_patch::{Reference, reference_of_model};
 use osim_requests::{Acceleration, Count, Kilograms, TransferRequest};
 
-use crate::opening::{open, scale_file};
+use crate::opening::{open, read_scale_file};
 use crate::prepared_change::file_name;
 
 /// The mass of the reference that counts, if its contacts are published ones for another mass than the mass of its bodies.
@@ -124,7 +124,8 @@ pub(super) fn reference_of_opened(
         return Ok((reference, state, None));
     }
     let anatomy = Anatomy::of(&open.model).map_err(|fault| open.failure(fault))?;
-    let file = request.follow.body_scale_file.as_deref().map(|path| scale_file(path, files)).transpose()?;
+    let file =
+        request.follow.body_scale_file.as_deref().map(|path| read_scale_file(path, files)).transpose()?;
     let standing = names_of_standing_spheres(&open.model);
     Ok((reference, state, Some(GenericModel { anatomy, file, sphere_count, standing })))
 }

@@ -11,7 +11,7 @@ use osim_patch::{OPERATION_FOLLOWING_NOTE, OPERATION_FOLLOWING_SCALE_FILE, Plan,
 use osim_requests::options::{InspectionOptions, ScalingOptions};
 use osim_requests::{Acceleration, Radius, RequestError, RequestFault, RescaleRequest};
 
-use crate::opening::scale_file;
+use crate::opening::read_scale_file;
 use crate::prepared_change::{Planner, PreparedChange};
 use crate::remarks::{operation_with_radius, refuse_repetition};
 
@@ -29,7 +29,7 @@ struct RescalePlanner {
 /// # Errors
 /// The target mass is missing, the options leave nothing to do, or the ScaleSet cannot be read.
 pub(super) fn prepare(request: RescaleRequest, files: &dyn Files) -> Result<PreparedChange, RequestError> {
-    let bodies = request.body_scale_file.as_deref().map(|path| scale_file(path, files)).transpose()?;
+    let bodies = request.body_scale_file.as_deref().map(|path| read_scale_file(path, files)).transpose()?;
     Ok(prepare_with_factors(request, bodies)?)
 }
 

@@ -27,7 +27,7 @@ use crate::remarks::{operation_with_radius, refuse_repetition, remark_on_noted_l
 /// # Errors
 /// The reference is neither a preset nor a file, or a model that cannot be a reference; or options have no effect.
 pub(super) fn prepare(request: TransferRequest, files: &dyn Files) -> Result<PreparedChange, RequestError> {
-    check_options(&request)?;
+    refuse_useless_options(&request)?;
     let Some(from) = request.from.clone() else {
         return Err(RequestFault::Missing { field: "from" }.into());
     };
@@ -102,7 +102,7 @@ fn is_standard_input(path: &Path) -> bool {
     path == Path::new("-")
 }
 
-fn check_options(request: &TransferRequest) -> Result<(), RequestFault> {
+fn refuse_useless_options(request: &TransferRequest) -> Result<(), RequestFault> {
     if request.from.as_deref().is_some_and(is_standard_input)
         && request.models.iter().any(|path| is_standard_input(path))
     {
@@ -137,11 +137,11 @@ fn check_options(request: &TransferRequest) -> Result<(), RequestFault> {
             return Err(RequestFault::refused(input, message));
         }
     }
-    check_radii(request)
+    refuse_senseless_radii(request)
 }
 
 /// Refuses combinations of options for radii and places that make no sense.
-fn check_radii(request: &TransferRequest) -> Result<(), RequestFault> {
+fn refuse_senseless_radii(request: &TransferRequest) -> Result<(), RequestFault> {
     let (scaling, follow) = (&request.scaling, &request.follow);
     let rule = scaling.radius.map(Radius::rule);
     let stays =

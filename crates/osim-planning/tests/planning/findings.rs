@@ -2,11 +2,11 @@
 
 use crate::checks::{check_foot, check_text, check_with, codes, find, has, message, rule};
 use crate::feet::{SOLE, SmoothContact, foot};
-use osim_inspect::{Changeable, CheckResult, InspectOptions, Stance, check_model};
+use osim_inspect::{ChangeableValues, CheckResult, InspectOptions, Stance, check_model};
 use osim_model::files::FileName;
 use osim_model::{Finding, FindingCode, Model, Severity, TextPosition};
 use osim_planning::check_with_trials;
-use osim_planning::try_what_can_change;
+use osim_planning::find_changeable_values;
 use osim_requests::Request;
 
 /// A human of 62 kg on 6 spheres on each foot.
@@ -379,14 +379,19 @@ fn only_a_model_that_can_be_changed_gets_commands() {
     // Spheres that are too soft by a factor of ten sink in.
     let model = Model::parse(HUMAN.replace(">1000000<", ">100000<")).unwrap();
     let options = InspectOptions::default();
-    assert!(try_what_can_change(&options, &model).numbers);
+    assert!(find_changeable_values(&options, &model).numbers);
     let inspected = options.inspect("human.osim", &model, None);
     let remedies = |changes| {
-        let result =
-            check_model(&options, &model, &inspected, &[], Changeable { numbers: changes, radii: true });
+        let result = check_model(
+            &options,
+            &model,
+            &inspected,
+            &[],
+            ChangeableValues { numbers: changes, radii: true },
+        );
         result.findings.iter().filter(|finding| finding.remedy.is_some()).count()
     };
     assert_eq!((remedies(true), remedies(false)), (1, 0));
     // "1,5e6" is no number, so that a change of it is refused.
-    assert!(!try_what_can_change(&options, &Model::parse(MODEL_WITH_DECIMAL_COMMA).unwrap()).numbers);
+    assert!(!find_changeable_values(&options, &Model::parse(MODEL_WITH_DECIMAL_COMMA).unwrap()).numbers);
 }

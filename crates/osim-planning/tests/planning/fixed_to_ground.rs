@@ -228,7 +228,7 @@ fn contacts_are_not_put_on_what_does_not_move() {
         let request = Request::from_json(call.to_string().as_bytes()).unwrap();
         let change = prepare(request, &files).unwrap_or_else(|error| panic!("{call}: {error:?}"));
         let opened = open_with(Path::new("model.osim"), CompanionPaths::default(), &files).unwrap();
-        let failure = change.plan_beside(&opened, &files).unwrap_err();
+        let failure = change.plan_with_companions(&opened, &files).unwrap_err();
         let said = format!("{failure:?}");
         assert!(said.contains("only WeldJoints are between body calcn_r and ground"), "{call}: {said}");
     }

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use osim_inspect::{Changeable, InspectOptions, check_model, model_findings};
+use osim_inspect::{ChangeableValues, InspectOptions, check_model, model_findings};
 use osim_model::files::{Files, OpenModel};
 use osim_model::messages::Verb;
 use osim_model::{FileId, Finding, Force, Model, Severity, Sphere, Value as Number, YesQuestion};
@@ -89,7 +89,9 @@ fn rules_find_the_same_without_what_only_people_read() {
         let mut options = InspectOptions::default();
         for kg in [None, Some(900.0)] {
             options.masses.model_kg = kg;
-            let of = |inspected| check_model(&options, &model, &inspected, &[], Changeable::UNTRIED).findings;
+            let of = |inspected| {
+                check_model(&options, &model, &inspected, &[], ChangeableValues::ASSUME_ALL).findings
+            };
             let all = of(options.inspect(document.name.as_str(), &model, None));
             assert_eq!(
                 of(options.inspect_for_rules(document.name.as_str(), &model)),
@@ -177,7 +179,7 @@ fn assert_same_findings(change: &PreparedChange, plan: &Plan, changed: &Model, w
         options.masses.model_kg = Some(masses.target_mass_kg);
     }
     let inspected = options.inspect(MODEL, changed, None);
-    let found = check_model(&options, changed, &inspected, &[], Changeable::UNTRIED).findings;
+    let found = check_model(&options, changed, &inspected, &[], ChangeableValues::ASSUME_ALL).findings;
     for one in &found {
         let said = plan
             .findings

@@ -31,14 +31,14 @@ fn codes_found(model: &Path, files: &dyn Files) -> BTreeSet<FindingCode> {
 fn code_of_refusal(request: &Value, files: &dyn Files) -> String {
     let change = prepare(Request::from_json(request.to_string().as_bytes()).unwrap(), files).unwrap();
     let opened = open_with(Path::new(HUMAN_MODEL), CompanionPaths::default(), files).unwrap();
-    change.plan_beside(&opened, files).unwrap_err().message.to_string()
+    change.plan_with_companions(&opened, files).unwrap_err().message.to_string()
 }
 
 /// Codes of the findings in the model after a request.
 fn codes_after(request: &Value, files: &dyn Files) -> BTreeSet<FindingCode> {
     let change = prepare(Request::from_json(request.to_string().as_bytes()).unwrap(), files).unwrap();
     let opened = open_with(Path::new(HUMAN_MODEL), CompanionPaths::default(), files).unwrap();
-    let plan = change.plan_beside(&opened, files).unwrap();
+    let plan = change.plan_with_companions(&opened, files).unwrap();
     model_findings(&plan.changed_model(&opened.model).unwrap()).iter().map(Finding::code).collect()
 }
 
@@ -92,7 +92,11 @@ fn a_mesh_in_another_unit_is_asked_about_and_named() {
 fn refusal_or_nothing(request: &Value, files: &dyn Files) -> String {
     let change = prepare(Request::from_json(request.to_string().as_bytes()).unwrap(), files).unwrap();
     let opened = open_with(Path::new(HUMAN_MODEL), CompanionPaths::default(), files).unwrap();
-    change.plan_beside(&opened, files).err().map(|fault| fault.message.to_string()).unwrap_or_default()
+    change
+        .plan_with_companions(&opened, files)
+        .err()
+        .map(|fault| fault.message.to_string())
+        .unwrap_or_default()
 }
 
 #[test]

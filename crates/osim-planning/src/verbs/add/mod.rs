@@ -56,7 +56,7 @@ impl Planner for AddPlanner {
         self.plan_for_file(model, Path::new(""), &InMemory::default()).map_err(AddFault::into_fault)
     }
 
-    fn plan_beside(&self, opened: &OpenModel, files: &dyn Files) -> Result<Plan, Failure> {
+    fn plan_with_companions(&self, opened: &OpenModel, files: &dyn Files) -> Result<Plan, Failure> {
         let path = opened.name().to_path();
         self.plan_for_file(&opened.model, &path, files).map_err(|fault| fault.into_failure(opened))
     }

@@ -239,8 +239,8 @@ fn question_about_mesh_size(model: &Model, bone: &Bone) -> Option<Suspicion> {
 
 /// The question about a foot that does not lie flat.
 fn question_about_tilt(sole: &Sole, model: &Model) -> Option<Suspicion> {
-    let mut text: Phrase = sole.not_flat()?.into();
-    let tilting = sole.tilted_by(model);
+    let mut text: Phrase = sole.describe_tilt()?.into();
+    let tilting = sole.tilting_coordinates(model);
     text.push(&match tilting.is_empty() {
         false => phrase![format!(
             ": set default values of its joints at which it does, such as 0 (now {})",
@@ -264,7 +264,7 @@ fn question_about_unequal_feet(soles: &[Sole], model: &Model) -> Option<Suspicio
         pairs.filter_map(|(one, other)| Some((one, other, one.pose_asymmetry(other, model)?)));
     let (sole, other, apart_rad) =
         at_default_pose.max_by(|a, b| a.2.total_cmp(&b.2)).filter(|pair| pair.2 > UNEQUAL_POSES_RAD)?;
-    let angles = |sole: &Sole| match TiltingCoordinate::listed(&sole.tilted_by(model)) {
+    let angles = |sole: &Sole| match TiltingCoordinate::listed(&sole.tilting_coordinates(model)) {
         none if none.is_empty() => "0".to_owned(),
         values => values,
     };

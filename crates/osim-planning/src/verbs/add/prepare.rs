@@ -13,8 +13,8 @@ use osim_requests::{AddRequest, DesignRequest, Metres, NewRadius, RequestError, 
 use super::bodies::{body_names, table_failure};
 use super::places::{FeetPlaces, NewSpherePlaces, TablePlaces};
 use super::reference::{
-    ContactNumbers, DesignedNumbers, FromReference, ReferenceNumbers, check_maps, layout, open_reference,
-    transfer, wanted_contacts,
+    ContactNumbers, DesignedNumbers, FromReference, ReferenceNumbers, layout, open_reference,
+    refuse_bad_maps, transfer, wanted_contacts,
 };
 use super::{AddPlanner, ContactSource};
 use crate::contact_table::ContactTable;
@@ -37,25 +37,27 @@ pub(in crate::verbs) fn prepare(
     files: &dyn Files,
 ) -> Result<PreparedChange, RequestError> {
     refuse_useless_options(&request)?;
-    let (source, reference, is_file, remarks) = match (places(&request, files)?, request.from.as_deref()) {
-        (None, None) => return Err(missing_source().into()),
-        (None, Some(from)) => {
-            let (numbers_or_contacts, reference, is_file, remarks) = whole_reference(&request, from, files)?;
-            (ContactSource::Reference(Box::new(numbers_or_contacts)), Some(reference), is_file, remarks)
-        }
-        (Some(places), Some(from)) => {
-            let (numbers_or_contacts, reference, is_file) = reference_numbers(&request, from, files)?;
-            let numbers = ContactNumbers::Reference(Box::new(numbers_or_contacts));
-            (ContactSource::OwnPlaces(places, numbers), Some(reference), is_file, Vec::new())
-        }
-        (Some(places), None) => {
-            if !places.has_radii() {
-                return Err(missing_radius().into());
+    let (source, reference, is_file, remarks) =
+        match (places_of_request(&request, files)?, request.from.as_deref()) {
+            (None, None) => return Err(missing_source().into()),
+            (None, Some(from)) => {
+                let (numbers_or_contacts, reference, is_file, remarks) =
+                    whole_reference(&request, from, files)?;
+                (ContactSource::Reference(Box::new(numbers_or_contacts)), Some(reference), is_file, remarks)
             }
-            let numbers = ContactNumbers::Designed(Box::new(designed_numbers(&request)?));
-            (ContactSource::OwnPlaces(places, numbers), None, false, Vec::new())
-        }
-    };
+            (Some(places), Some(from)) => {
+                let (numbers_or_contacts, reference, is_file) = reference_numbers(&request, from, files)?;
+                let numbers = ContactNumbers::Reference(Box::new(numbers_or_contacts));
+                (ContactSource::OwnPlaces(places, numbers), Some(reference), is_file, Vec::new())
+            }
+            (Some(places), None) => {
+                if !places.has_radii() {
+                    return Err(missing_radius().into());
+                }
+                let numbers = ContactNumbers::Designed(Box::new(designed_numbers(&request)?));
+                (ContactSource::OwnPlaces(places, numbers), None, false, Vec::new())
+            }
+        };
     // Designed contacts are inspected under the load of the design.
     let (impact_speed, gravity) = match reference {
         Some(_) => (None, None),
@@ -124,7 +126,10 @@ fn refuse_useless_options(request: &AddRequest) -> Result<(), RequestFault> {
 }
 
 /// The places that the request gives by a table or by bodies of feet; `None` if the places come from the reference.
-fn places(request: &AddRequest, files: &dyn Files) -> Result<Option<NewSpherePlaces>, RequestError> {
+fn places_of_request(
+    request: &AddRequest,
+    files: &dyn Files,
+) -> Result<Option<NewSpherePlaces>, RequestError> {
     let radius_m = match request.radius {
         NewRadius::Metres(metres) => Some(metres),
         _ => None,
@@ -176,7 +181,7 @@ fn whole_reference(
     };
     let model = &opened.model;
     let selected = reference_selection(request).apply(model).map_err(|fault| opened.failure(fault))?;
-    check_maps(request, model, &selected)?;
+    refuse_bad_maps(request, model, &selected)?;
     let (layout, mut anatomy, remarks) =
         layout(request, model, &selected).map_err(|fault| opened.failure(fault))?;
     // Presets have the bodies with spheres and their joint only.

@@ -291,7 +291,7 @@ pub(super) fn wanted_contacts(
 }
 
 /// Refuses a map of a body that the reference does not have, or two maps of one body.
-pub(super) fn check_maps(
+pub(super) fn refuse_bad_maps(
     request: &AddRequest,
     model: &Model,
     selected: &Selected,
