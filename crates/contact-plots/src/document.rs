@@ -159,7 +159,7 @@ fn allowed_in_xml(letter: char) -> Option<char> {
 }
 
 /// The text without characters that XML does not allow, for the library, which adds the XML escapes.
-pub(crate) fn printable(text: &str) -> String {
+pub(crate) fn text_allowed_in_xml(text: &str) -> String {
     text.chars().filter_map(allowed_in_xml).collect()
 }
 
@@ -178,7 +178,7 @@ pub(crate) struct Title(Vec<String>);
 
 impl Title {
     pub(crate) fn new(title: &str, width_pt: f64) -> Self {
-        Self(lines(&printable(title), TITLE_PT, width_pt - 2.0 * MARGIN_PT))
+        Self(lines(&text_allowed_in_xml(title), TITLE_PT, width_pt - 2.0 * MARGIN_PT))
     }
 
     /// Distance from the top of the page to the content below the title, in points.

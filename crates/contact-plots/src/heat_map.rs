@@ -6,7 +6,7 @@ use plotters::style::colors::colormaps::{ColorMap, ViridisRGB};
 use plotters::style::{Color, RGBColor};
 
 use crate::axis::{Axis, Scale, Ticks};
-use crate::document::{Area, MARGIN_PT, Paper, Sheet, Title, document, printable};
+use crate::document::{Area, MARGIN_PT, Paper, Sheet, Title, document, text_allowed_in_xml};
 use crate::legend::{Legend, Sample, core_stroke, draw_cross, rim_stroke};
 use crate::panels_svg::{AXIS_NAME_DISTANCE_PT, TICK_LABELS_HEIGHT_PT, TICK_LENGTH_PT, draw_axes};
 use crate::style::{INK, TEXT_PT, stroke, text, units};
@@ -250,7 +250,7 @@ impl HeatLayout {
             .set_all_tick_mark_size(units(TICK_LENGTH_PT))
             .label_style(text(TEXT_PT))
             .axis_desc_style(text(TEXT_PT))
-            .y_desc(printable(&map.value_axis.label))
+            .y_desc(text_allowed_in_xml(&map.value_axis.label))
             .y_label_formatter(&|at| self.bar_ticks.label(*at).to_owned())
             .draw()
             .map_err(PlotError::drawing)

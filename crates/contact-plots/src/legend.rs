@@ -6,7 +6,7 @@ use plotters::prelude::{DrawingArea, SVGBackend};
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use plotters::style::{Color, RGBColor, ShapeStyle};
 
-use crate::document::printable;
+use crate::document::text_allowed_in_xml;
 use crate::error::PlotError;
 use crate::figure::{Direction, Figure, Frame, Limit, Panel};
 use crate::style::{LIMIT, Look, SHADE_COLOUR, SHADE_OPACITY, TEXT_PT, float, stroke, text, units};
@@ -70,7 +70,8 @@ impl Legend {
         let column_pt = room_pt / float(columns);
         let room = column_pt - SAMPLE_PT - 2.0 * ENTRY_GAP_PT;
         let entries = entries.into_iter();
-        let entries = entries.map(|(sample, label)| (sample, lines(&printable(&label), TEXT_PT, room)));
+        let entries =
+            entries.map(|(sample, label)| (sample, lines(&text_allowed_in_xml(&label), TEXT_PT, room)));
         Self { entries: entries.collect(), columns, column_pt }
     }
 

@@ -8,12 +8,12 @@ use plotters::style::text_anchor::{HPos, Pos, VPos};
 use plotters::style::{Color, RGBColor};
 
 use crate::axis::{Axis, Scale, Ticks};
-use crate::document::{Area, MARGIN_PT, Paper, Sheet, Title, document, printable};
+use crate::document::{Area, MARGIN_PT, Paper, Sheet, Title, document, text_allowed_in_xml};
 use crate::error::PlotError;
 use crate::figure::{self, Direction, Figure, Frame, Limit, Panel};
 use crate::legend::{LIMIT_ROW_PT, Legend, limit_rows};
 use crate::style::{INK, LIMIT, SHADE_COLOUR, SHADE_OPACITY, TEXT_PT, TITLE_PT, float, stroke, text, units};
-use crate::text_width::cut;
+use crate::text_width::cut_to_width;
 
 /// Height of the row with a panel's title, pt.
 const PANEL_TITLE_PT: f64 = 13.0;
@@ -28,7 +28,7 @@ const PANEL_GAP_PT: f64 = 8.0;
 /// The smallest width of a plot for panels side by side, pt; narrower panels are placed below each other.
 const SIDE_BY_SIDE_PT: f64 = 90.0;
 /// Height of the plot between the axes, divided by its width.
-const ASPECT: f64 = 0.62;
+const PLOT_HEIGHT_OVER_WIDTH: f64 = 0.62;
 
 type Chart<'a, 'b> = ChartContext<'a, SVGBackend<'b>, Cartesian2d<Scale, Scale>>;
 
@@ -96,7 +96,7 @@ impl Layout {
         let panels = figure.panels.iter().zip(&frames);
         let rows_of_limits = panels.map(|(panel, frame)| limit_rows(panel, frame, plot_width).len()).max();
         let limits_pt = LIMIT_ROW_PT * float(rows_of_limits.unwrap_or(0));
-        let plot_height = ASPECT * (panel_width - beside_pt);
+        let plot_height = PLOT_HEIGHT_OVER_WIDTH * (panel_width - beside_pt);
         Self {
             title: Title::new(&figure.title, width),
             columns,
@@ -146,7 +146,11 @@ impl Layout {
     }
 
     fn draw_title(&self, area: &Area<'_>, panel: &Panel, index: usize) -> Result<(), PlotError> {
-        let shown = cut(&printable(&panel.title), TEXT_PT, self.panel_pt.0 - self.beside_pt - 10.0);
+        let shown = cut_to_width(
+            &text_allowed_in_xml(&panel.title),
+            TEXT_PT,
+            self.panel_pt.0 - self.beside_pt - 10.0,
+        );
         if !shown.is_empty() {
             let style = text(TEXT_PT).pos(Pos::new(HPos::Left, VPos::Top));
             let at = (units(self.beside_pt), units(2.0));
@@ -167,7 +171,7 @@ impl Layout {
                 let y = self.title_pt + self.limits_pt - LIMIT_ROW_PT * (float(row) + 0.5) + 0.6;
                 let style = text(TEXT_PT).color(&LIMIT).pos(Pos::new(HPos::Center, VPos::Center));
                 let at = (units(self.beside_pt + along), units(y));
-                area.draw_text(&printable(&limit.label), &style, at).map_err(PlotError::drawing)?;
+                area.draw_text(&text_allowed_in_xml(&limit.label), &style, at).map_err(PlotError::drawing)?;
             }
         }
         Ok(())
@@ -195,8 +199,8 @@ pub(crate) fn draw_axes(
         .set_all_tick_mark_size(units(TICK_LENGTH_PT))
         .label_style(text(TEXT_PT))
         .axis_desc_style(text(TEXT_PT))
-        .x_desc(printable(&x_axis.label))
-        .y_desc(printable(&y_axis.label))
+        .x_desc(text_allowed_in_xml(&x_axis.label))
+        .y_desc(text_allowed_in_xml(&y_axis.label))
         .x_label_formatter(&|at| x_ticks.label(*at).to_owned())
         .y_label_formatter(&|at| y_ticks.label(*at).to_owned())
         .draw()

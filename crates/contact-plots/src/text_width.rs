@@ -13,7 +13,7 @@ const WIDEST_LETTER: f64 = 1.0;
 const OTHER_FONT_FACTOR: f64 = 1.06;
 const ELLIPSIS: char = '…';
 /// A word too long for a line is broken after one of these characters, which separate the parts of file names.
-const BREAK_AFTER: [char; 6] = ['_', '-', '/', '\\', '.', ','];
+const LETTERS_TO_BREAK_AFTER: [char; 6] = ['_', '-', '/', '\\', '.', ','];
 
 /// The width of a text in Arial, or a font of the same metrics, in points.
 pub(crate) fn width_pt(text: &str, size_pt: f64) -> f64 {
@@ -31,7 +31,7 @@ fn letter_width(letter: char) -> f64 {
         return 0.0;
     }
     let advance = || {
-        let face = face()?;
+        let face = parsed_font()?;
         let advance = face.glyph_hor_advance(face.glyph_index(letter)?)?;
         Some(f64::from(advance) / f64::from(face.units_per_em()))
     };
@@ -39,13 +39,13 @@ fn letter_width(letter: char) -> f64 {
 }
 
 /// The built-in font, which is read when the first text is measured.
-fn face() -> Option<&'static Face<'static>> {
+fn parsed_font() -> Option<&'static Face<'static>> {
     static PARSED_FONT: OnceLock<Option<Face<'static>>> = OnceLock::new();
     PARSED_FONT.get_or_init(|| Face::parse(FONT, 0).ok()).as_ref()
 }
 
 /// The text, cut and ended with an ellipsis if it is wider than `most_pt`.
-pub(crate) fn cut(text: &str, size_pt: f64, most_pt: f64) -> String {
+pub(crate) fn cut_to_width(text: &str, size_pt: f64, most_pt: f64) -> String {
     if width_pt(text, size_pt) <= most_pt {
         return text.to_owned();
     }
@@ -112,7 +112,7 @@ fn pieces_of_word(word: &str, size_pt: f64, most_pt: f64) -> Vec<WordPiece<'_>> 
     let parts: Vec<&str> = if width_with_reserve_pt(word, size_pt) <= most_pt {
         vec![word]
     } else {
-        let parts = word.split_inclusive(BREAK_AFTER);
+        let parts = word.split_inclusive(LETTERS_TO_BREAK_AFTER);
         parts.flat_map(|part| letter_by_letter(part, size_pt, most_pt)).collect()
     };
     let count = parts.len();
@@ -162,8 +162,8 @@ mod tests {
 
     #[test]
     fn long_texts_are_cut_to_a_width() {
-        assert_eq!(cut("toe", 7.0, 40.0), "toe");
-        let short = cut("a name without end", 7.0, 40.0);
+        assert_eq!(cut_to_width("toe", 7.0, 40.0), "toe");
+        let short = cut_to_width("a name without end", 7.0, 40.0);
         assert!(short.ends_with('…') && width_pt(&short, 7.0) <= 40.0, "{short}");
     }
 

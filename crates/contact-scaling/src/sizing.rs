@@ -65,7 +65,7 @@ pub enum SizingError {
 const CONSISTENCY_TOLERANCE: f64 = 1e-6;
 
 impl KnownQuantities {
-    fn by_name(&self) -> [(&'static str, Option<f64>); 5] {
+    fn names_and_values(&self) -> [(&'static str, Option<f64>); 5] {
         [
             ("load", self.load_per_sphere_n),
             ("radius", self.radius_m),
@@ -97,7 +97,7 @@ impl KnownQuantities {
     /// # Ok::<(), contact_scaling::sizing::SizingError>(())
     /// ```
     pub fn solve(&self) -> Result<Sizing, SizingError> {
-        for (name, value) in self.by_name() {
+        for (name, value) in self.names_and_values() {
             if let Some(value) = value {
                 require_positive(name, value)?;
             }
@@ -107,7 +107,7 @@ impl KnownQuantities {
         }
         let sizing = self.solve_checked().ok_or_else(|| {
             let names = |known: bool| {
-                self.by_name()
+                self.names_and_values()
                     .into_iter()
                     .filter(|(_, v)| v.is_some() == known)
                     .map(|(name, _)| name)
@@ -115,7 +115,9 @@ impl KnownQuantities {
             };
             SizingError::Insufficient { known: names(true), missing: names(false) }
         })?;
-        for ((quantity, given), (_, follows)) in self.by_name().into_iter().zip(sizing.by_name()) {
+        for ((quantity, given), (_, follows)) in
+            self.names_and_values().into_iter().zip(sizing.names_and_values())
+        {
             require_positive(quantity, follows)?;
             if let Some(given) =
                 given.filter(|given| (given - follows).abs() > CONSISTENCY_TOLERANCE * follows)
@@ -207,7 +209,7 @@ impl KnownQuantities {
 }
 
 impl Sizing {
-    fn by_name(&self) -> [(&'static str, f64); 5] {
+    fn names_and_values(&self) -> [(&'static str, f64); 5] {
         [
             ("load", self.load_per_sphere_n),
             ("radius", self.radius_m),
@@ -242,7 +244,7 @@ mod tests {
     fn any_three_quantities_give_the_other_two() {
         for mask in (0_usize..32).filter(|mask| mask.count_ones() >= 3) {
             let sizing = quantities_of_mask(mask).solve().unwrap();
-            for ((name, found), expected) in sizing.by_name().into_iter().zip(HUMAN_AT_BODY_WEIGHT) {
+            for ((name, found), expected) in sizing.names_and_values().into_iter().zip(HUMAN_AT_BODY_WEIGHT) {
                 assert!((found / expected - 1.0).abs() < 1e-12, "{mask:05b} {name} {found} {expected}");
             }
         }

@@ -163,12 +163,13 @@ fn command_listing_verbs(has_options: impl Fn(Verb) -> bool) -> Command {
 }
 
 /// The argument `--quiet` of verbs whose requests have no such field: it concerns only what the command prints.
-const QUIET_OF_COMMAND: &str = "quiet-command";
+const QUIET_ARGUMENT_OF_COMMAND: &str = "quiet-command";
 
 /// The parser of a verb with `--quiet`.
 fn with_quiet(command: Command) -> Command {
     let is_there = command.get_arguments().any(|argument| argument.get_id() == Input::Quiet.name());
-    let quiet = Arg::new(QUIET_OF_COMMAND).short('q').long(Input::Quiet.name()).action(ArgAction::SetTrue);
+    let quiet =
+        Arg::new(QUIET_ARGUMENT_OF_COMMAND).short('q').long(Input::Quiet.name()).action(ArgAction::SetTrue);
     // Where the short help has all options, this one is there, too.
     let is_rare = command.get_arguments().any(Arg::is_hide_short_help_set);
     let quiet =
@@ -180,7 +181,7 @@ fn with_quiet(command: Command) -> Command {
 pub(crate) fn is_quiet(matches: &ArgMatches) -> bool {
     let typed = matches.subcommand().map_or(matches, |(_, typed)| typed);
     let is_typed = |id: &str| typed.try_get_one::<bool>(id).ok().flatten() == Some(&true);
-    is_typed(QUIET_OF_COMMAND) || is_typed(Input::Quiet.name())
+    is_typed(QUIET_ARGUMENT_OF_COMMAND) || is_typed(Input::Quiet.name())
 }
 
 fn command_without_verbs() -> Command {

@@ -34,8 +34,8 @@ pub(crate) fn suggest(words: &[PathBuf], may_be_mass: bool, terms: Words) -> Opt
     if let Some(split) = split.filter(|split| split.exists || split.words.start > 0 || verb.is_none()) {
         return Some(split.message(words.get(split.words.start)?));
     }
-    let mass = words.iter().find(|word| may_be_mass && !is_known(word) && kilograms(word).is_some());
-    if let Some((word, kg)) = mass.and_then(|word| Some((word, kilograms(word)?))) {
+    let mass = words.iter().find(|word| may_be_mass && !is_known(word) && typed_kilograms(word).is_some());
+    if let Some((word, kg)) = mass.and_then(|word| Some((word, typed_kilograms(word)?))) {
         let text: Phrase = phrase![
             "'{}' is neither a verb nor a file: did you mean {}?";
             word.display().to_string(), Input::TargetMass.with_value(kg)
@@ -53,7 +53,7 @@ pub(crate) fn suggested_figure(words: &[String], terms: Words) -> Option<String>
 }
 
 /// The kilograms in an argument such as `20`, `20kg` or `20000g`.
-fn kilograms(word: &Path) -> Option<String> {
+fn typed_kilograms(word: &Path) -> Option<String> {
     Kilograms::with_unit(word.to_str()?).map(|kg| kg.to_string())
 }
 
@@ -89,11 +89,11 @@ pub(crate) fn suggested_axis(words: &[String], terms: Words) -> Option<String> {
 fn similar_verb(word: &Path) -> Option<String> {
     let rescale = Verb::Rescale.name();
     let others = verb_names().filter(|name| *name != rescale);
-    nearest(word.to_str()?, std::iter::once(rescale).chain(others)).map(str::to_owned)
+    nearest_name(word.to_str()?, std::iter::once(rescale).chain(others)).map(str::to_owned)
 }
 
 /// The name among `names` that the user probably meant by `word`: a part of `word`, or spelled almost like it.
-fn nearest<'n>(word: &str, names: impl Iterator<Item = &'n str>) -> Option<&'n str> {
+fn nearest_name<'n>(word: &str, names: impl Iterator<Item = &'n str>) -> Option<&'n str> {
     let flat = |text: &str| text.to_lowercase().replace(['-', '_'], "");
     let word = flat(word);
     let is_part = |name: &str| word.len() >= 4 && (name.starts_with(&word) || word.starts_with(name));

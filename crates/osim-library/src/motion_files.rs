@@ -25,7 +25,7 @@ pub struct MotionFiles {
     mode: WriteMode,
 }
 
-const OWNERS: [&str; 5] = [
+const NAMES_OF_OUTPUTS: [&str; 5] = [
     "the ground reactions",
     "their ExternalLoads",
     "the corrected motion",
@@ -61,7 +61,7 @@ impl MotionFiles {
         for path in read.into_iter().flatten().chain(request.set_files.paths()) {
             conflicts.add_input(path);
         }
-        for (path, owner) in paths.iter().zip(OWNERS) {
+        for (path, owner) in paths.iter().zip(NAMES_OF_OUTPUTS) {
             path.iter().try_for_each(|path| conflicts.add_output(path, owner))?;
         }
         let in_folder = |folder: &Option<PathBuf>, names: &[&str]| -> Vec<PathBuf> {

@@ -119,7 +119,7 @@ const INDEX_OF_SPHERES_DOWN: usize = 2;
 const FIRST_INDEX_OF_FLOORS: usize = 3;
 
 /// Calls `take` with contact force and measured force (body weights), foot by foot and frame by frame, for these unknowns.
-fn forces(trials: &[FitTrial], vector: &[f64], mut take: impl FnMut(f64, f64)) {
+fn visit_forces(trials: &[FitTrial], vector: &[f64], mut take: impl FnMut(f64, f64)) {
     let factor = vector[INDEX_OF_STIFFNESS].exp();
     for (trial, &up_m) in trials.iter().zip(&vector[FIRST_INDEX_OF_FLOORS..]) {
         for foot in &trial.feet {
@@ -139,14 +139,14 @@ fn loaded_depths(trials: &[FitTrial], vector: &[f64]) -> impl Iterator<Item = im
     let moved = trials.iter().zip(&vector[FIRST_INDEX_OF_FLOORS..]);
     let feet = moved.flat_map(|(trial, up_m)| trial.feet.iter().map(move |foot| (foot, trial, *up_m)));
     let frames = feet.flat_map(move |(foot, trial, up_m)| {
-        foot.loaded([up_m, vector[INDEX_OF_SPHERES_DOWN]], trial.weight_n)
+        foot.loaded_spheres([up_m, vector[INDEX_OF_SPHERES_DOWN]], trial.weight_n)
     });
     frames.map(|spheres| spheres.map(|(x, radius_m)| x / radius_m))
 }
 
-fn errors(trials: &[FitTrial], vector: &[f64]) -> FitErrors {
+fn errors_of_fit(trials: &[FitTrial], vector: &[f64]) -> FitErrors {
     let (mut square, mut count) = (0.0, 0.0_f64);
-    forces(trials, vector, |force, measured| {
+    visit_forces(trials, vector, |force, measured| {
         square += (force - measured).powi(2);
         count += 1.0;
     });
@@ -202,7 +202,7 @@ impl<'t> FitProblem<'t> {
     fn solve(trials: &'t [FitTrial], bounds: &FitBounds) -> Result<(Self, Vec<f64>, Vec<f64>), FitError> {
         let mut problem = Self::new(trials, bounds)?;
         let mut vector = problem.first_guess()?;
-        let covariance = problem.improve(&mut vector).ok_or(FitError::NotConverged)?;
+        let covariance = problem.reduce_differences(&mut vector).ok_or(FitError::NotConverged)?;
         Ok((problem, vector, covariance))
     }
 
@@ -217,7 +217,7 @@ impl<'t> FitProblem<'t> {
                 let mut vector = vec![0.0, alpha, 0.0];
                 vector.extend(self.floors_m.iter().map(up_m));
                 let (mut model_squared, mut product, mut plates_squared) = (0.0, 0.0, 0.0);
-                forces(self.trials, &vector, |force, measured| {
+                visit_forces(self.trials, &vector, |force, measured| {
                     model_squared += force * force;
                     product += force * measured;
                     plates_squared += measured * measured;
@@ -246,7 +246,7 @@ impl<'t> FitProblem<'t> {
     }
 
     /// Makes the differences small and returns the covariance of the unknowns; `None` if the search does not converge.
-    fn improve(&mut self, vector: &mut [f64]) -> Option<Vec<f64>> {
+    fn reduce_differences(&mut self, vector: &mut [f64]) -> Option<Vec<f64>> {
         // The solver refuses a start beyond a limit.
         for (value, one) in vector.iter_mut().zip(&self.settings).filter(|(_, one)| !one.fixed) {
             *value = value.max(one.limit_low).min(one.limit_up);
@@ -262,7 +262,7 @@ impl<'t> FitProblem<'t> {
     /// are too deep follow: how deep they go depends on the direction of their bodies.
     fn deviates(&self, vector: &[f64]) -> Vec<f64> {
         let mut deviates = Vec::new();
-        forces(self.trials, vector, |force, measured| deviates.push(force - measured));
+        visit_forces(self.trials, vector, |force, measured| deviates.push(force - measured));
         if let Some(most) = self.most_depth() {
             let excess = |depth: f64| (depth - most).max(0.0).powi(2);
             let penalties = loaded_depths(self.trials, vector)
@@ -293,12 +293,12 @@ impl<'t> FitProblem<'t> {
             _ if place == INDEX_OF_STIFFNESS => (f64::NEG_INFINITY, f64::INFINITY),
             one => (one.limit_low, one.limit_up),
         };
-        self.hold(place, true);
+        self.fix_unknown(place, true);
         let ends = [-step, step].map(|mut step| {
             let mut is_near = |at: f64| {
                 let mut vector = best.to_vec();
                 vector[place] = at.clamp(low, high);
-                self.improve(&mut vector).is_some() && self.rms_bw(&vector) <= most_bw
+                self.reduce_differences(&mut vector).is_some() && self.rms_bw(&vector) <= most_bw
             };
             let mut inside = best[place];
             for _ in 0..MOST_DOUBLINGS {
@@ -316,12 +316,12 @@ impl<'t> FitProblem<'t> {
             }
             inside.clamp(low, high)
         });
-        self.hold(place, false);
+        self.fix_unknown(place, false);
         ends.into()
     }
 
     /// Keeps an unknown at its value, or frees it.
-    fn hold(&mut self, place: usize, is_fixed: bool) {
+    fn fix_unknown(&mut self, place: usize, is_fixed: bool) {
         let one = &mut self.settings[place];
         (one.fixed, one.limited_low, one.limited_up) = (is_fixed, !is_fixed, !is_fixed);
     }
@@ -330,7 +330,9 @@ impl<'t> FitProblem<'t> {
 /// The limits of a floor's height: at least one sphere touches it, and no sphere is deeper than allowed.
 fn height_limits(trial: &FitTrial, bounds: &FitBounds) -> Result<(f64, f64), FitError> {
     let (mut least_m, mut most_m) = (f64::INFINITY, f64::INFINITY);
-    for (x, radius_m) in trial.feet.iter().flat_map(|foot| foot.loaded([0.0; 2], trial.weight_n)).flatten() {
+    for (x, radius_m) in
+        trial.feet.iter().flat_map(|foot| foot.loaded_spheres([0.0; 2], trial.weight_n)).flatten()
+    {
         // This sphere just touches if the floor goes up by -x.
         least_m = least_m.min(-x);
         if let Some(most) = bounds.most_relative_indentation {
@@ -375,7 +377,7 @@ pub fn fit_motion(trials: &[FitTrial], bounds: &FitBounds) -> Result<MotionFit, 
     };
     let rms_of_trial = |(number, trial): (usize, &FitTrial)| {
         let vector = [&best[..FIRST_INDEX_OF_FLOORS], &best[FIRST_INDEX_OF_FLOORS + number..]].concat();
-        errors(std::slice::from_ref(trial), &vector).vertical_rms_bw
+        errors_of_fit(std::slice::from_ref(trial), &vector).vertical_rms_bw
     };
     let mut unchanged = vec![0.0; best.len()];
     unchanged[INDEX_OF_DISSIPATION] = f64::NAN;
@@ -387,8 +389,8 @@ pub fn fit_motion(trials: &[FitTrial], bounds: &FitBounds) -> Result<MotionFit, 
             .filter_map(|place| parameter(place, HEIGHT_STEP_M, same))
             .collect(),
         stiffness_height_correlation: (bounds.stiffness && bounds.height).then(correlation),
-        before: errors(trials, &unchanged),
-        after: errors(trials, &best),
+        before: errors_of_fit(trials, &unchanged),
+        after: errors_of_fit(trials, &best),
         trials_rms_bw: trials.iter().enumerate().map(rms_of_trial).collect(),
         held_out: test_on_held_out(trials, bounds),
         beside: trials.iter().map(|trial| trial.beside).sum(),
@@ -427,7 +429,7 @@ fn test_on_held_out(trials: &[FitTrial], bounds: &FitBounds) -> Vec<HeldOut> {
         Some(HeldOut {
             fitted: names(&fitted, halves[number % 2]),
             tested: names(&tested, halves[1 - number % 2]),
-            vertical_rms_bw: errors(&tested, &best).vertical_rms_bw,
+            vertical_rms_bw: errors_of_fit(&tested, &best).vertical_rms_bw,
         })
     };
     (0..feet.max(2)).filter_map(test).collect()

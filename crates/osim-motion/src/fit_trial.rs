@@ -168,7 +168,7 @@ impl FootForces {
     }
 
     /// Indentation and radius (m) of each sphere in each frame; no sphere in frames in which the plates measured no force.
-    pub(crate) fn loaded(
+    pub(crate) fn loaded_spheres(
         &self,
         moves_m: [f64; 2],
         weight_n: f64,

@@ -88,7 +88,7 @@ impl PressureOnSole {
             spheres_m.push(flat(pose.placement(&pair.body)?.point(pair.centre_m)));
         }
         let middle_m = mean_point(&spheres_m);
-        spheres_m.iter_mut().for_each(|place| *place = difference(*place, middle_m));
+        spheres_m.iter_mut().for_each(|place| *place = difference_of_points(*place, middle_m));
         let in_foot = |frame: usize, wrench: &Wrench| {
             let contacts = foot.foot.contacts(states, frame);
             let places: Vec<[f64; 2]> = contacts.map(|state| flat(state.centre_m)).collect();
@@ -112,7 +112,7 @@ impl PressureOnSole {
     pub fn mean_difference_m(&self) -> Option<[f64; 2]> {
         let both = self.model_m.iter().zip(&self.measured_m);
         let differences: Vec<[f64; 2]> =
-            both.filter_map(|(own, plate)| Some(difference((*own)?, (*plate)?))).collect();
+            both.filter_map(|(own, plate)| Some(difference_of_points((*own)?, (*plate)?))).collect();
         (!differences.is_empty()).then(|| mean_point(&differences))
     }
 }
@@ -123,18 +123,18 @@ fn in_foot_axes(before: &[[f64; 2]], now: &[[f64; 2]], point: [f64; 2]) -> [f64;
     let middle = mean_point(now);
     let (mut along, mut across) = (0.0, 0.0);
     for (old, new) in before.iter().zip(now) {
-        let new = difference(*new, middle);
+        let new = difference_of_points(*new, middle);
         along += old[0] * new[0] + old[1] * new[1];
         across += old[0] * new[1] - old[1] * new[0];
     }
     let length = libm::sqrt(along * along + across * across);
     // One sphere alone has no direction.
     let (cosine, sine) = if length > 0.0 { (along / length, across / length) } else { (1.0, 0.0) };
-    let [ahead, right] = difference(point, middle);
+    let [ahead, right] = difference_of_points(point, middle);
     [cosine * ahead + sine * right, cosine * right - sine * ahead]
 }
 
-fn difference(one: [f64; 2], other: [f64; 2]) -> [f64; 2] {
+fn difference_of_points(one: [f64; 2], other: [f64; 2]) -> [f64; 2] {
     [one[0] - other[0], one[1] - other[1]]
 }
 

@@ -67,7 +67,7 @@ pub(crate) fn drop_test<'py>(
     Ok((dictionary(py, &DropRecord::from(&drop))?, drop_text(&drop, None), remarks))
 }
 
-/// `motion`: what the contacts do, its text, and a column of cells for each column of its rows.
+/// `motion`: the contacts along a recording as a dictionary, the same as text, and as a table: a list of cells for each column.
 #[pyfunction]
 pub(crate) fn motion<'py>(
     py: Python<'py>,

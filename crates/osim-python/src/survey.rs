@@ -20,7 +20,7 @@ use crate::planned_change::{PYTHON_SPELLING, remedies};
 use crate::problem::Problem;
 
 /// The result for one model: its record and, for each finding, the requests that correct the model; or else the exception.
-type Row<'py> = (Option<Bound<'py, PyAny>>, Vec<Option<String>>, Option<Bound<'py, PyAny>>);
+type SurveyRow<'py> = (Option<Bound<'py, PyAny>>, Vec<Option<String>>, Option<Bound<'py, PyAny>>);
 
 /// Inspects or checks the models of a request. Returns a row for each, remarks that come before them, and the text that the command
 /// prints.
@@ -32,7 +32,7 @@ pub(crate) fn survey<'py>(
     jobs: Option<usize>,
     call: String,
     callback: Option<Py<PyAny>>,
-) -> PyResult<(Vec<Row<'py>>, Vec<String>, String)> {
+) -> PyResult<(Vec<SurveyRow<'py>>, Vec<String>, String)> {
     let fields = request_fields(fields)?;
     let (rows, remarks, text) = without_gil(py, || {
         let files = RequestFiles::from_python(&memory, true);
@@ -119,7 +119,7 @@ fn survey_models(
     Ok((rows, survey.sources.remarks.clone(), terminal_safe(&text).into_owned()))
 }
 
-fn row_of_model(py: Python<'_>, surveyed: SurveyedModel) -> PyResult<Row<'_>> {
+fn row_of_model(py: Python<'_>, surveyed: SurveyedModel) -> PyResult<SurveyRow<'_>> {
     Ok(match surveyed {
         SurveyedModel::Inspected(inspection, _) => (Some(dictionary(py, &*inspection)?), Vec::new(), None),
         SurveyedModel::Checked(found, _) => (Some(dictionary(py, &*found)?), remedies(&found), None),

@@ -33,7 +33,7 @@ where
     check_fields(&fields, relations, checked)?;
     match serde_json::from_value(Value::Object(fields.clone())) {
         Ok(request) => Ok(request),
-        Err(error) => Err(bad_value::<T>(&fields, &error)),
+        Err(error) => Err(fault_of_bad_value::<T>(&fields, &error)),
     }
 }
 
@@ -103,10 +103,13 @@ pub(crate) fn check_value<T: DeserializeOwned>(name: &str, value: Value) -> Resu
 }
 
 /// The fault for the first field whose value has the wrong form: each field is read alone.
-fn bad_value<T: DeserializeOwned>(fields: &Map<String, Value>, error: &serde_json::Error) -> RequestFault {
+fn fault_of_bad_value<T: DeserializeOwned>(
+    fields: &Map<String, Value>,
+    error: &serde_json::Error,
+) -> RequestFault {
     for (name, value) in fields {
         if let Err(why) = check_value::<T>(name, value.clone()) {
-            let (value, reason) = bad_item::<T>(name, value).unwrap_or((value, why));
+            let (value, reason) = first_bad_item::<T>(name, value).unwrap_or((value, why));
             return RequestFault::BadValue { field: name.clone(), value: value_for_message(value), reason };
         }
     }
@@ -126,7 +129,7 @@ fn value_for_message(value: &Value) -> String {
 }
 
 /// The first item of a list that has the wrong form, and the error message for it.
-fn bad_item<'v, T: DeserializeOwned>(name: &str, value: &'v Value) -> Option<(&'v Value, String)> {
+fn first_bad_item<'v, T: DeserializeOwned>(name: &str, value: &'v Value) -> Option<(&'v Value, String)> {
     // Where no list can be taken, the list is what is wrong.
     check_value::<T>(name, Value::Array(Vec::new())).ok()?;
     let wrong = |item: &Value| check_value::<T>(name, Value::Array(vec![item.clone()])).err();
@@ -151,14 +154,14 @@ fn nearest_field(field: &str, known: &Map<String, Value>) -> Option<String> {
 /// The text is not JSON, or an object in it has the same name twice.
 pub(crate) fn from_slice(text: &[u8]) -> Result<Value, serde_json::Error> {
     let mut reader = serde_json::Deserializer::from_slice(text);
-    let value = UniqueFields.deserialize(&mut reader)?;
+    let value = ValueWithUniqueFields.deserialize(&mut reader)?;
     reader.end()?;
     Ok(value)
 }
 
-struct UniqueFields;
+struct ValueWithUniqueFields;
 
-impl<'d> DeserializeSeed<'d> for UniqueFields {
+impl<'d> DeserializeSeed<'d> for ValueWithUniqueFields {
     type Value = Value;
 
     fn deserialize<D: Deserializer<'d>>(self, deserializer: D) -> Result<Value, D::Error> {
@@ -166,7 +169,7 @@ impl<'d> DeserializeSeed<'d> for UniqueFields {
     }
 }
 
-impl<'d> Visitor<'d> for UniqueFields {
+impl<'d> Visitor<'d> for ValueWithUniqueFields {
     type Value = Value;
 
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

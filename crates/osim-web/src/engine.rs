@@ -21,7 +21,7 @@ use crate::problem::Problem;
 use crate::recording::{CorrectedRecording, play_recording};
 
 /// Most models that stay open, because the page looks at one model and compares it with others.
-const MAX_OPEN_MODELS: usize = 4;
+const MOST_OPEN_MODELS: usize = 4;
 
 /// Keeps files in memory, and answers calls about the models in them.
 ///
@@ -150,7 +150,7 @@ impl Engine {
         }
         let opened = Rc::new(OpenedModel::read(path, set_files, &self.files)?);
         self.opened.insert(0, Rc::clone(&opened));
-        self.opened.truncate(MAX_OPEN_MODELS);
+        self.opened.truncate(MOST_OPEN_MODELS);
         Ok(opened)
     }
 

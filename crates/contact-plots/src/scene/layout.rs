@@ -3,12 +3,12 @@
 use super::elements::{Block, LevelKind, Scene, View};
 use super::labels::{NameToPlace, Obstacles, Rect, place_names};
 use crate::axis::Ticks;
-use crate::document::{MARGIN_PT, Paper, Title, printable};
+use crate::document::{MARGIN_PT, Paper, Title, text_allowed_in_xml};
 use crate::figure::{Point, Width};
 use crate::legend::Legend;
 use crate::panels_svg::{AXIS_NAME_DISTANCE_PT, TICK_LABELS_HEIGHT_PT, TICK_LENGTH_PT};
 use crate::style::{TEXT_PT, float};
-use crate::text_width::{cut, lines, width_pt};
+use crate::text_width::{cut_to_width, lines, width_pt};
 
 pub(super) const LINE_PT: f64 = 8.6;
 const BLOCK_GAP_PT: f64 = 10.0;
@@ -26,13 +26,13 @@ const LONGEST_NAME: f64 = 0.45;
 /// The largest width of a text at a level line, as a share of the view's width.
 const LONGEST_LEVEL_NAME: f64 = 0.9;
 /// Smallest visible size of an outline, as a share of its block: about 2 points.
-const VISIBLE_SHARE: f64 = 0.01;
+const SMALLEST_VISIBLE_SHARE: f64 = 0.01;
 /// The largest height of a view without its names, pt.
 const GREATEST_VIEW_HEIGHT_PT: f64 = 260.0;
 /// Largest ratio of sizes of two objects with the same scale; larger objects have a scale of their own.
 const MOST_SCALE_RATIO: f64 = 4.0;
 /// Largest number of names in a view that fits a column; a view with more names needs the width of a page.
-const CROWDED_NAMES: usize = 12;
+const MOST_NAMES_IN_COLUMN: usize = 12;
 /// If a view has more names than this, all names are left out, because nobody could read them.
 const MOST_NAMES: usize = 80;
 /// The width of an object whose points all have the same horizontal value, in the units of the axis.
@@ -150,7 +150,7 @@ pub(super) struct SceneLayout<'s> {
 impl<'s> SceneLayout<'s> {
     pub(super) fn of(scene: &'s Scene, paper: Paper, legend: impl FnOnce(f64) -> Legend) -> Self {
         let count_block_names = |block: &Block| block.views.iter().map(count_names).max().unwrap_or(0);
-        let crowded = scene.blocks.iter().any(|block| count_block_names(block) > CROWDED_NAMES);
+        let crowded = scene.blocks.iter().any(|block| count_block_names(block) > MOST_NAMES_IN_COLUMN);
         let page = if scene.blocks.len() > 1 || crowded { Width::Page } else { Width::Column };
         let width = paper.layout_pt(page);
         let beside = AXIS_NAME_DISTANCE_PT + 3.0 * TICK_LENGTH_PT + longest_tick(scene);
@@ -234,7 +234,7 @@ pub(super) fn has_outlines(block: &Block) -> bool {
     let mut outlines = block.views.iter().flat_map(|view| &view.outlines);
     outlines.any(|outline| {
         let along = |axis: fn(&Point) -> f64| size(span_of_values(outline.points.iter().map(axis)));
-        along(|point| point.0).max(along(|point| point.1)) >= VISIBLE_SHARE * whole
+        along(|point| point.0).max(along(|point| point.1)) >= SMALLEST_VISIBLE_SHARE * whole
     })
 }
 
@@ -286,7 +286,8 @@ fn place_view<'s>(view: &'s View, block: &Block, scale: f64, (width, beside): (f
 fn level_names(placed: &PlacedView<'_>) -> Vec<PlacedName> {
     let mut names: Vec<PlacedName> = Vec::new();
     for level in placed.view.levels.iter().filter(|level| !level.name.is_empty()) {
-        let text = cut(&printable(&level.name), TEXT_PT, LONGEST_LEVEL_NAME * placed.width);
+        let text =
+            cut_to_width(&text_allowed_in_xml(&level.name), TEXT_PT, LONGEST_LEVEL_NAME * placed.width);
         let width = width_pt(&text, TEXT_PT);
         let (_, y) = placed.at((0.0, level.at));
         let (left, top) = match level.kind {
@@ -314,7 +315,7 @@ fn placed_names(placed: &PlacedView<'_>) -> Vec<PlacedName> {
         .chain(spots)
         .filter(|(name, _)| !name.is_empty())
         .map(|(name, at)| {
-            let text = cut(&printable(name), TEXT_PT, LONGEST_NAME * placed.width);
+            let text = cut_to_width(&text_allowed_in_xml(name), TEXT_PT, LONGEST_NAME * placed.width);
             let size = (width_pt(&text, TEXT_PT) + 1.0, NAME_HEIGHT_PT);
             (text, NameToPlace { at: placed.at(at), size })
         })
@@ -364,7 +365,7 @@ fn stack_views<'s>(
     (left, beside, top): (f64, f64, f64),
     (remarks, column): (&[String], f64),
 ) -> PlacedBlock<'s> {
-    let title = cut(&printable(&block.title), TEXT_PT, column - beside);
+    let title = cut_to_width(&text_allowed_in_xml(&block.title), TEXT_PT, column - beside);
     let mut at = top + BLOCK_TITLE_PT;
     let last = views.len().saturating_sub(1);
     let mut placed = Vec::new();
@@ -375,7 +376,7 @@ fn stack_views<'s>(
         // Only the last view has numbers below it: all share one horizontal axis.
         at += height + if index == last { TICK_LABELS_HEIGHT_PT } else { TICK_LENGTH_PT + VIEW_PADDING_PT };
     }
-    let text = |remark: &String| lines(&printable(remark), TEXT_PT, column - beside);
+    let text = |remark: &String| lines(&text_allowed_in_xml(remark), TEXT_PT, column - beside);
     let remarks = remarks.iter().flat_map(text).collect();
     PlacedBlock { title, left: left + beside, top, views: placed, remarks, remarks_top: at }
 }

@@ -8,7 +8,7 @@ use plotters::element::{Circle, DashedPathElement, PathElement, Polygon, Rectang
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use plotters::style::{Color, FontTransform, RGBColor};
 
-use crate::document::{Area, MARGIN_PT, Paper, Sheet, document, printable};
+use crate::document::{Area, MARGIN_PT, Paper, Sheet, document, text_allowed_in_xml};
 use crate::error::PlotError;
 use crate::figure::Point;
 use crate::legend::{Legend, SAMPLE_PT, Sample};
@@ -75,7 +75,7 @@ fn draw_block(root: &Area<'_>, block: &PlacedBlock<'_>) -> Result<(), PlotError>
     };
     words(&block.title, (block.left, block.top + 2.0))?;
     for (index, view) in block.views.iter().enumerate() {
-        words(&printable(&view.view.title), (view.left, view.top - LINE_PT))?;
+        words(&text_allowed_in_xml(&view.view.title), (view.left, view.top - LINE_PT))?;
         draw_view(root, view, index + 1 == block.views.len())?;
     }
     for (index, line) in block.remarks.iter().enumerate() {
@@ -180,11 +180,11 @@ fn draw_axes(root: &Area<'_>, view: &PlacedView<'_>, is_last: bool) -> Result<()
     }
     if is_last {
         let middle = (f64::midpoint(left, right), bottom + 2.0 * TICK_LENGTH_PT + LINE_PT);
-        words(&printable(&view.view.x_label), middle, Pos::new(HPos::Center, VPos::Top))?;
+        words(&text_allowed_in_xml(&view.view.x_label), middle, Pos::new(HPos::Center, VPos::Top))?;
     }
     let style = text(TEXT_PT).transform(FontTransform::Rotate270).pos(Pos::new(HPos::Center, VPos::Top));
     root.draw_text(
-        &printable(&view.view.y_label),
+        &text_allowed_in_xml(&view.view.y_label),
         &style,
         place((left - view.beside, f64::midpoint(top, bottom))),
     )

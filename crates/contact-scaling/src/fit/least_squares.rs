@@ -35,33 +35,35 @@ impl FitModel {
     }
 
     /// K u^(3/2), the factor of E* in the force; u is the indentation from the onset.
-    pub(super) fn elastic(&self, point: &Point, onset: f64) -> f64 {
+    pub(super) fn elastic_factor(&self, point: &Point, onset: f64) -> f64 {
         let u = (point.indentation - onset).max(0.0);
         self.gain * (u * u.sqrt())
     }
 
     /// K 3/2 u^(3/2) ẋ, the factor of E* α in the force; u is the indentation from the onset.
-    pub(super) fn dissipative(&self, point: &Point, onset: f64) -> f64 {
-        self.elastic(point, onset) * (1.5 * point.speed)
+    pub(super) fn dissipative_factor(&self, point: &Point, onset: f64) -> f64 {
+        self.elastic_factor(point, onset) * (1.5 * point.speed)
     }
 
     /// Derivative of the force by the onset, ∂F/∂x₀ = −3/2 K √u (E* + E* α 3/2 ẋ).
-    fn onset_slope(&self, p: &Parameters, point: &Point) -> f64 {
+    fn force_slope_by_onset(&self, p: &Parameters, point: &Point) -> f64 {
         let u = (point.indentation - p.onset).max(0.0);
         -1.5 * self.gain * u.sqrt() * (p.modulus + p.modulus_dissipation * (1.5 * point.speed))
     }
 
     pub(super) fn force(&self, p: &Parameters, point: &Point) -> f64 {
-        p.modulus * self.elastic(point, p.onset) + p.modulus_dissipation * self.dissipative(point, p.onset)
+        p.modulus * self.elastic_factor(point, p.onset)
+            + p.modulus_dissipation * self.dissipative_factor(point, p.onset)
     }
 
     /// Derivatives of the force by each fitted parameter: E*, α, x₀.
-    pub(super) fn gradient(&self, p: &Parameters, point: &Point) -> Vec<f64> {
+    pub(super) fn force_gradient(&self, p: &Parameters, point: &Point) -> Vec<f64> {
         let alpha = p.dissipation();
-        let (elastic, dissipative) = (self.elastic(point, p.onset), self.dissipative(point, p.onset));
+        let (elastic, dissipative) =
+            (self.elastic_factor(point, p.onset), self.dissipative_factor(point, p.onset));
         let mut row = vec![elastic + alpha * dissipative];
         row.extend(self.with_dissipation.then_some(p.modulus * dissipative));
-        row.extend(self.with_onset.then(|| self.onset_slope(p, point)));
+        row.extend(self.with_onset.then(|| self.force_slope_by_onset(p, point)));
         row
     }
 }
@@ -82,24 +84,29 @@ pub(super) fn solve_with_known_onset(
     if found < needed {
         return Err(FitError::TooFewPoints { found, needed });
     }
-    let (a, f): (Vec<f64>, Vec<f64>) = points.iter().map(|p| (model.elastic(p, onset), p.force)).unzip();
-    let aa = dot(&a, &a);
+    let (a, f): (Vec<f64>, Vec<f64>) =
+        points.iter().map(|p| (model.elastic_factor(p, onset), p.force)).unzip();
+    let aa = dot_product(&a, &a);
     if !model.with_dissipation {
-        return Ok(Parameters { modulus: dot(&a, &f) / aa, modulus_dissipation: 0.0, onset });
+        return Ok(Parameters { modulus: dot_product(&a, &f) / aa, modulus_dissipation: 0.0, onset });
     }
     // Gram–Schmidt: c is what b has besides a.
-    let b: Vec<f64> = points.iter().map(|p| model.dissipative(p, onset)).collect();
-    let share = dot(&a, &b) / aa;
+    let b: Vec<f64> = points.iter().map(|p| model.dissipative_factor(p, onset)).collect();
+    let share = dot_product(&a, &b) / aa;
     let c: Vec<f64> = a.iter().zip(&b).map(|(a, b)| b - share * a).collect();
-    let (bb, cc) = (dot(&b, &b), dot(&c, &c));
+    let (bb, cc) = (dot_product(&b, &b), dot_product(&c, &c));
     if cc <= SMALLEST_SINE_BETWEEN_COLUMNS * SMALLEST_SINE_BETWEEN_COLUMNS * bb {
         return Err(FitError::Undetermined { parameter: "dissipation" });
     }
-    let modulus_dissipation = dot(&c, &f) / cc;
-    Ok(Parameters { modulus: dot(&a, &f) / aa - share * modulus_dissipation, modulus_dissipation, onset })
+    let modulus_dissipation = dot_product(&c, &f) / cc;
+    Ok(Parameters {
+        modulus: dot_product(&a, &f) / aa - share * modulus_dissipation,
+        modulus_dissipation,
+        onset,
+    })
 }
 
-fn dot(a: &[f64], b: &[f64]) -> f64 {
+fn dot_product(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
@@ -243,11 +250,11 @@ impl MPFitter for OnsetSearch<'_> {
             let Some(slope) = slope else { continue };
             for (value, point) in slope.iter_mut().zip(self.points) {
                 let rate = if column == last {
-                    self.model.onset_slope(&p, point) * self.length
+                    self.model.force_slope_by_onset(&p, point) * self.length
                 } else if column == 0 {
-                    self.model.elastic(point, p.onset) * self.modulus
+                    self.model.elastic_factor(point, p.onset) * self.modulus
                 } else {
-                    self.model.dissipative(point, p.onset) * self.modulus_dissipation
+                    self.model.dissipative_factor(point, p.onset) * self.modulus_dissipation
                 };
                 *value = -rate / self.force;
             }

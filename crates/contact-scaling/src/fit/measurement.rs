@@ -181,7 +181,10 @@ pub(super) struct Point {
 }
 
 /// The rows of the branch to fit, as points.
-pub(super) fn collect(measurement: &Measurement<'_>, branch: FittedBranch) -> Result<Vec<Point>, FitError> {
+pub(super) fn points_of_branch(
+    measurement: &Measurement<'_>,
+    branch: FittedBranch,
+) -> Result<Vec<Point>, FitError> {
     let Measurement { indentation_m, force_n, rate } = measurement;
     refuse_bad_column("indentation", indentation_m, indentation_m.len())?;
     refuse_bad_column("force", force_n, indentation_m.len())?;
@@ -263,7 +266,7 @@ mod tests {
     fn bad_columns_are_named_with_their_row() {
         let x = [0.0, 1.0, 2.0];
         let measure = |force_n, rate| {
-            collect(&Measurement { indentation_m: &x, force_n, rate }, FittedBranch::Both)
+            points_of_branch(&Measurement { indentation_m: &x, force_n, rate }, FittedBranch::Both)
                 .unwrap_err()
                 .to_string()
         };
@@ -278,7 +281,8 @@ mod tests {
     fn branches_are_distinguished_by_speed_or_by_depth() {
         let x = [0.0, 1.0, 2.0, 1.0, 0.5];
         let rows = |rate, branch| {
-            let points = collect(&Measurement { indentation_m: &x, force_n: &x, rate }, branch).unwrap();
+            let points =
+                points_of_branch(&Measurement { indentation_m: &x, force_n: &x, rate }, branch).unwrap();
             points.iter().map(|p| p.row).collect::<Vec<_>>()
         };
         assert_eq!(rows(Rate::Unknown, FittedBranch::Loading), [0, 1, 2]);

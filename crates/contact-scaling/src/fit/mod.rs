@@ -37,7 +37,7 @@ const EQUAL_INDENTATION_TOLERANCE: f64 = 1e-9;
 pub fn fit(measurement: &Measurement<'_>, values: &FitValues) -> Result<Fit, FitError> {
     let radius = require_positive("sphere radius", values.radius_m)?;
     let count = require_at_least_one("sphere count", values.sphere_count)?;
-    let points = measurement::collect(measurement, values.branch)?;
+    let points = measurement::points_of_branch(measurement, values.branch)?;
     let model = FitModel {
         gain: count * 4.0 / 3.0 * radius.sqrt(),
         with_dissipation: !matches!(measurement.rate, Rate::Unknown),

@@ -147,7 +147,7 @@ pub(super) fn covariance(
     variance: f64,
 ) -> Result<Vec<Vec<f64>>, FitError> {
     let names = model.names();
-    let rows: Vec<Vec<f64>> = points.iter().map(|p| model.gradient(fitted, p)).collect();
+    let rows: Vec<Vec<f64>> = points.iter().map(|p| model.force_gradient(fitted, p)).collect();
     let size = names.len();
     let mut information = vec![vec![0.0; size]; size];
     for row in &rows {
@@ -165,13 +165,13 @@ pub(super) fn covariance(
         }
     }
     let inverse =
-        inverse(information).map_err(|i| FitError::Undetermined { parameter: names[i].in_words() })?;
+        inverse_matrix(information).map_err(|i| FitError::Undetermined { parameter: names[i].in_words() })?;
     let entry = |i: usize, j: usize| variance * inverse[i][j] / (scale[i] * scale[j]);
     Ok((0..size).map(|i| (0..size).map(|j| entry(i, j)).collect()).collect())
 }
 
 /// Inverse of a small positive definite matrix, by Gauss–Jordan; the error is the index of a row that depends on other rows.
-fn inverse(mut matrix: Vec<Vec<f64>>) -> Result<Vec<Vec<f64>>, usize> {
+fn inverse_matrix(mut matrix: Vec<Vec<f64>>) -> Result<Vec<Vec<f64>>, usize> {
     let size = matrix.len();
     for (i, row) in matrix.iter_mut().enumerate() {
         row.extend((0..size).map(|j| if i == j { 1.0 } else { 0.0 }));
@@ -213,9 +213,9 @@ mod tests {
 
     #[test]
     fn a_regular_matrix_has_an_inverse_and_a_singular_one_has_none() {
-        let inverse_of = inverse(vec![vec![1.0, 0.5], vec![0.5, 1.0]]).unwrap();
+        let inverse_of = inverse_matrix(vec![vec![1.0, 0.5], vec![0.5, 1.0]]).unwrap();
         assert!((inverse_of[0][0] - 4.0 / 3.0).abs() < 1e-15);
         assert!((inverse_of[0][1] + 2.0 / 3.0).abs() < 1e-15);
-        assert_eq!(inverse(vec![vec![1.0, 1.0], vec![1.0, 1.0]]), Err(1));
+        assert_eq!(inverse_matrix(vec![vec![1.0, 1.0], vec![1.0, 1.0]]), Err(1));
     }
 }

@@ -122,7 +122,7 @@ pub(crate) fn reproduce(request: &ReproduceRequest, session: &mut Session) -> Re
     let mut written = String::new();
     if let Some(folder) = &request.output_dir {
         let files = output_files(folder, &record, json, session)?;
-        write(&files, request.force, session)?;
+        write_files_of_reproduction(&files, request.force, session)?;
         for (path, _) in &files {
             written.push_str(&format!("written to {}\n", path.display()));
         }
@@ -158,7 +158,7 @@ fn output_files(
 }
 
 /// Writes all files. If a file exists and may not be replaced, writes none.
-fn write(files: &[(PathBuf, String)], force: bool, session: &Session) -> Result<()> {
+fn write_files_of_reproduction(files: &[(PathBuf, String)], force: bool, session: &Session) -> Result<()> {
     if let Some((there, _)) = files.iter().find(|(path, _)| !force && path.exists()) {
         let [folder, force] = [Input::OutputDir, Input::Force].map(|input| session.words.input(input, None));
         bail!(

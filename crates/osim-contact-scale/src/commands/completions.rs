@@ -189,7 +189,7 @@ const PROGRAM_NAME: &str = env!("CARGO_PKG_NAME");
 /// Writes all manual pages into a folder.
 pub(crate) fn manuals(folder: &Path, force: bool, session: &mut Session) -> Exit {
     let mode = if force { WriteMode::Replace } else { WriteMode::New };
-    match write(&pages(), folder, mode, session.words) {
+    match write(&manual_pages(), folder, mode, session.words) {
         Ok(()) => Exit::Done,
         Err(error) => {
             session.terminal.error_line(&format!("{error:#}"));
@@ -203,7 +203,7 @@ pub(crate) fn manuals(folder: &Path, force: bool, session: &mut Session) -> Exit
 /// # Errors
 /// An unknown verb.
 pub(crate) fn manual(verb: Option<&str>, session: &mut Session) -> Result<Exit> {
-    let pages = pages();
+    let pages = manual_pages();
     let page = match verb {
         None => pages.last(),
         Some(verb) => pages.iter().find(|page| page.get_filename() == format!("{PROGRAM_NAME}-{verb}.1")),
@@ -216,7 +216,7 @@ pub(crate) fn manual(verb: Option<&str>, session: &mut Session) -> Result<Exit> 
 }
 
 /// All manual pages: one for each verb, then the page of the command.
-fn pages() -> Vec<Man> {
+fn manual_pages() -> Vec<Man> {
     // A page has room for what the short help leaves out; clap_mangen would leave it out too.
     let in_full = |command: Command| command.mut_args(|argument| argument.hide_short_help(false));
     let mut command = whole_command();

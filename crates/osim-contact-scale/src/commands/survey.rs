@@ -41,7 +41,7 @@ pub(crate) fn inspect(request: &InspectRequest, hint: bool, session: &mut Sessio
     };
     let shown = show_models(&survey, format, session)?;
     if hint && shown.is_any && format == SheetFormat::Table {
-        session.terminal.print(&next_steps(session, &request.models, shown.has_contacts))?;
+        session.terminal.print(&calls_to_make_next(session, &request.models, shown.has_contacts))?;
     }
     Ok(shown.exit)
 }
@@ -143,7 +143,7 @@ fn show_models(survey: &Survey<'_>, format: SheetFormat, session: &mut Session) 
 const MODEL_PLACEHOLDER: &str = "MODEL";
 
 /// Calls to make next, shown once after all models. If no model has contacts, calls that add contacts.
-fn next_steps(session: &Session, models: &[PathBuf], has_contacts: bool) -> String {
+fn calls_to_make_next(session: &Session, models: &[PathBuf], has_contacts: bool) -> String {
     let words = session.words;
     let name = match models {
         [only] => words.word(&only.display().to_string()),

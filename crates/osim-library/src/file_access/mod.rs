@@ -175,10 +175,10 @@ pub(crate) fn is_open_exclusively(path: &Path) -> std::io::Result<bool> {
 pub(crate) fn open_to_lock(path: &Path) -> std::io::Result<File> {
     let mut options = File::options();
     options.write(true);
-    let mut file = system::without_waiting(&mut options).open(path);
+    let mut file = system::options_without_waiting(&mut options).open(path);
     // The file may be write-protected. On Windows, it has to be opened for writing to show whether somebody has it open.
     if file.is_err() && cfg!(unix) {
-        file = system::without_waiting(File::options().read(true)).open(path);
+        file = system::options_without_waiting(File::options().read(true)).open(path);
     }
     let file = file?;
     check_kind(&file.metadata()?, FileKinds::Ordinary).map_err(into_io_error)?;
@@ -187,7 +187,7 @@ pub(crate) fn open_to_lock(path: &Path) -> std::io::Result<File> {
 
 /// Opens a folder to write its list of files to the disk, which Windows cannot do.
 pub(crate) fn open_folder(path: &Path) -> std::io::Result<File> {
-    system::without_waiting(File::options().read(true)).open(path)
+    system::options_without_waiting(File::options().read(true)).open(path)
 }
 
 /// Creates a file that does not exist yet.
@@ -203,7 +203,7 @@ fn open_for_reading(path: &Path, kinds: FileKinds) -> Result<(File, Metadata), R
     options.read(true);
     if !(kinds == FileKinds::Streams && system::is_stream(path)) {
         // Also if the name becomes that of a pipe at this moment.
-        system::without_waiting(&mut options);
+        system::options_without_waiting(&mut options);
     }
     if kinds == FileKinds::Ordinary && system::is_device_name(path) {
         return Err(ReadRefusal::Kind("a device"));

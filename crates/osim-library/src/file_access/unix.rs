@@ -11,7 +11,7 @@ use std::path::Path;
 use rustix::fs::OFlags;
 
 /// Options with which `open` never waits, not even for a writer of a pipe. No terminal becomes the terminal of this process.
-pub(super) fn without_waiting(options: &mut OpenOptions) -> &mut OpenOptions {
+pub(super) fn options_without_waiting(options: &mut OpenOptions) -> &mut OpenOptions {
     options.custom_flags((OFlags::NONBLOCK | OFlags::NOCTTY).bits().cast_signed())
 }
 
@@ -24,7 +24,7 @@ pub(super) fn open_exclusively(path: &Path) -> std::io::Result<Option<File>> {
     let mut tries = 0;
     loop {
         let mut options = File::options();
-        let file = without_waiting(options.read(true).append(true).create(true)).open(path)?;
+        let file = options_without_waiting(options.read(true).append(true).create(true)).open(path)?;
         if file.try_lock().is_err_and(|error| matches!(error, TryLockError::WouldBlock)) {
             return Ok(None);
         }
@@ -41,7 +41,7 @@ pub(super) fn open_exclusively(path: &Path) -> std::io::Result<Option<File>> {
 
 /// Tries a shared lock, for which network file systems need only the right to read.
 pub(super) fn is_open_exclusively(path: &Path) -> std::io::Result<bool> {
-    let file = without_waiting(File::options().read(true)).open(path)?;
+    let file = options_without_waiting(File::options().read(true)).open(path)?;
     Ok(file.try_lock_shared().is_err_and(|error| matches!(error, TryLockError::WouldBlock)))
 }
 

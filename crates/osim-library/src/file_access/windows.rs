@@ -7,7 +7,7 @@
 use std::fs::{File, Metadata, OpenOptions};
 use std::path::{Component, Path, Prefix};
 
-pub(super) fn without_waiting(options: &mut OpenOptions) -> &mut OpenOptions {
+pub(super) fn options_without_waiting(options: &mut OpenOptions) -> &mut OpenOptions {
     options
 }
 

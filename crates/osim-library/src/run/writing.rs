@@ -8,7 +8,7 @@ use osim_model::{Fault, FileId, Model};
 use osim_patch::{Patch, Plan};
 
 use crate::run::task::{ResultDestination, Task};
-use crate::write::{ExchangedModel, PendingFile, ReplacementFile, WriteMode, backup};
+use crate::write::{ExchangedModel, PendingFile, ReplacementFile, WriteMode, prepare_backup};
 use crate::{FileStamp, LibraryFault, ModelOrigin, make_folder_of};
 
 /// The new bytes of the files that a planned change affects.
@@ -138,7 +138,7 @@ impl<'w> PreparedFiles<'w> {
             self.refuse_write_protected(path)?;
             if !settings.no_backup {
                 let bytes = self.opened.model.file(file).bytes();
-                let (prepared, backups_of_user) = backup(path, bytes).map_err(|fault| {
+                let (prepared, backups_of_user) = prepare_backup(path, bytes).map_err(|fault| {
                     fault.with_context("the backup could not be kept, so nothing was changed")
                 })?;
                 self.backups.extend(prepared);

@@ -72,14 +72,14 @@ fn refuse_overflowing_references(bytes: &[u8]) -> Result<(), FileError> {
 }
 
 /// The texts of each row by the numbers of their columns. Cells are read one by one, because a broken file may claim any size.
-type Rows = BTreeMap<u32, BTreeMap<u32, String>>;
+type CellTextsByRow = BTreeMap<u32, BTreeMap<u32, String>>;
 
-fn rows_of_first_sheet(book: &mut Xlsx<Cursor<&[u8]>>) -> Result<Rows, FileError> {
+fn rows_of_first_sheet(book: &mut Xlsx<Cursor<&[u8]>>) -> Result<CellTextsByRow, FileError> {
     let broken =
         || FileError::new("the first sheet of this workbook cannot be read: save it as CSV in UTF-8");
     let name = book.sheet_names().into_iter().next().ok_or_else(broken)?;
     let mut cells = book.worksheet_cells_reader(&name).map_err(|_| broken())?;
-    let mut rows = Rows::new();
+    let mut rows = CellTextsByRow::new();
     while let Some(cell) = cells.next_cell().map_err(|_| broken())? {
         let (row, column) = cell.get_position();
         if row >= MOST_ROWS || column >= MOST_COLUMNS {
@@ -95,7 +95,7 @@ fn rows_of_first_sheet(book: &mut Xlsx<Cursor<&[u8]>>) -> Result<Rows, FileError
 }
 
 /// The rows as CSV. Empty rows stay, so that each line has the number of its row.
-fn csv_of_rows(rows: &Rows) -> Result<Vec<u8>, FileError> {
+fn csv_of_rows(rows: &CellTextsByRow) -> Result<Vec<u8>, FileError> {
     let failed = |error: &dyn std::fmt::Display| FileError::new(error.to_string());
     let columns = || rows.values().flat_map(BTreeMap::keys).copied();
     let (Some(first), Some(last)) = (columns().min(), columns().max()) else { return Ok(Vec::new()) };
@@ -188,10 +188,10 @@ mod tests {
         let cells = |row: u32, texts: &[(u32, &str)]| {
             (row, texts.iter().map(|&(column, text)| (column, text.to_owned())).collect())
         };
-        let rows = Rows::from([cells(1, &[(2, "a;b"), (3, "c")]), cells(4, &[(3, "d;e")])]);
+        let rows = CellTextsByRow::from([cells(1, &[(2, "a;b"), (3, "c")]), cells(4, &[(3, "d;e")])]);
         assert_eq!(String::from_utf8(csv_of_rows(&rows).unwrap()).unwrap(), "\na b,c\n\n\n,d;e\n");
-        assert_eq!(csv_of_rows(&Rows::new()).unwrap(), b"");
-        let far = Rows::from_iter((0..=MOST_ROWS / 2).map(|row| cells(row, &[(row % 100, "a")])));
+        assert_eq!(csv_of_rows(&CellTextsByRow::new()).unwrap(), b"");
+        let far = CellTextsByRow::from_iter((0..=MOST_ROWS / 2).map(|row| cells(row, &[(row % 100, "a")])));
         assert!(csv_of_rows(&far).unwrap_err().to_string().contains("ten million cells"));
     }
 

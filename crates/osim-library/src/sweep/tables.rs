@@ -127,7 +127,7 @@ impl<'t> WrittenFiles<'t> {
         let mut partial = PartialFile::open(tables.table_of_run(), resume, &way_out)?;
         // Files that this sweep does not make are not in its new table; the partial table keeps them.
         if !only_in_table.is_empty() {
-            add_lines(&mut partial, &only_in_table)?;
+            add_partial_lines(&mut partial, &only_in_table)?;
         }
         Ok(Self { tables, files_of_run, files_of_others, partial: Mutex::new(partial) })
     }
@@ -159,7 +159,7 @@ impl<'t> WrittenFiles<'t> {
         }
         let line = csv_line(&[file.to_owned(), sha256.to_owned()])?;
         let mut partial = self.partial.lock().map_err(|_| fault_of_panic())?;
-        add_lines(&mut partial, &line)
+        add_partial_lines(&mut partial, &line)
     }
 
     /// Ends the sweep. If `all` variants are made, removes the partial table and the tables of parts.
@@ -178,7 +178,7 @@ fn read_tables_of_others(tables: &SweepTables<'_>) -> Result<FileDigests, Librar
     Ok(files_of_run)
 }
 
-fn add_lines(partial: &mut PartialFile, lines: &[u8]) -> Result<(), LibraryFault> {
+fn add_partial_lines(partial: &mut PartialFile, lines: &[u8]) -> Result<(), LibraryFault> {
     let mut whole = Vec::new();
     if partial.is_empty() {
         whole = csv_line(&FILE_COLUMNS.map(str::to_owned))?;

@@ -222,7 +222,7 @@ pub(crate) fn hard_link_finding(path: &Path) -> Option<Finding> {
 #[cfg(any(target_os = "linux", target_vendor = "apple"))]
 mod tests {
     use super::*;
-    use crate::write::backup;
+    use crate::write::prepare_backup;
 
     const BYTES_READ: &[u8] = b"as it was read";
     const REPLACEMENT: &[u8] = b"the replacement of it";
@@ -231,7 +231,7 @@ mod tests {
     fn prepare_file(folder: &Path) -> (PathBuf, ReplacementFile<'static>) {
         let target = folder.join("model.osim");
         std::fs::write(&target, BYTES_READ).unwrap();
-        let (copy, kept) = backup(&target, BYTES_READ).unwrap();
+        let (copy, kept) = prepare_backup(&target, BYTES_READ).unwrap();
         copy.unwrap().commit().unwrap();
         let prepared = PendingFile::new(&target, REPLACEMENT, None, WriteMode::InPlace).unwrap();
         let replacement = ReplacementFile {

@@ -17,7 +17,7 @@ use crate::LibraryFault;
 use crate::paths::{folder_of, resolved};
 
 pub(crate) use in_place::{ExchangedModel, ReplacementFile, hard_link_finding};
-pub(crate) use replace::backup;
+pub(crate) use replace::prepare_backup;
 pub use replace::{PendingFile, WriteMode};
 
 /// Writes several files. None gets its name before all are complete.

@@ -278,7 +278,10 @@ fn keep_permissions(_file: &NamedTempFile, _like: Option<&Metadata>, _replaces: 
 
 /// Prepares a backup of `path`: `NAME.bak`, or `NAME.bak2` and so on if there are older backups. If a stopped run left a backup with
 /// the same bytes, this backup is used.
-pub(crate) fn backup(path: &Path, bytes: &[u8]) -> Result<(Option<PendingFile>, PathBuf), LibraryFault> {
+pub(crate) fn prepare_backup(
+    path: &Path,
+    bytes: &[u8],
+) -> Result<(Option<PendingFile>, PathBuf), LibraryFault> {
     let path = resolved(path);
     let metadata = std::fs::metadata(&path).ok();
     for backup in backup_names(&path) {

@@ -3,7 +3,7 @@
 use osim_model::DVec3;
 
 use super::slopes::{FootSlopes, SphereState};
-use super::solve::{CONSTANTS, NormalEquations, dot};
+use super::solve::{CONSTANTS, NormalEquations, dot_product};
 use super::unknowns::{CorrectedCoordinate, CorrectionOptions, SplineBasis};
 use crate::ContactPair;
 
@@ -122,10 +122,12 @@ impl<'s> StageProblem<'s> {
                     };
                     for (sphere, force, slopes) in &forces {
                         let factors = factors(*sphere);
-                        sum.residual += dot(&factors, force);
-                        let by = slopes.map(|by| dot(&factors, &by));
+                        sum.residual += dot_product(&factors, force);
+                        let by = slopes.map(|by| dot_product(&factors, &by));
                         for (sums, by_both) in sum.by_coordinate.iter_mut().zip(along.slopes_of(*sphere)) {
-                            sums.iter_mut().zip(by_both).for_each(|(sum, numbers)| *sum += dot(&by, numbers));
+                            sums.iter_mut()
+                                .zip(by_both)
+                                .for_each(|(sum, numbers)| *sum += dot_product(&by, numbers));
                         }
                         sum.by_constant[0] += by[0];
                         sum.by_constant[1] -= by[2];
@@ -148,14 +150,14 @@ impl<'s> StageProblem<'s> {
     }
 
     pub(super) fn cost(&self, unknowns: &[f64]) -> f64 {
-        let mut sum: f64 = self.sizes.times(unknowns).iter().zip(unknowns).map(|(a, b)| a * b).sum();
+        let mut sum: f64 = self.sizes.times_vector(unknowns).iter().zip(unknowns).map(|(a, b)| a * b).sum();
         self.residuals(unknowns, false, |_, _, row| sum += row.residual * row.residual);
         sum
     }
 
     fn normal_equations(&self, unknowns: &[f64]) -> NormalEquations {
         let mut equations = self.sizes.clone();
-        equations.gradient = self.sizes.times(unknowns);
+        equations.gradient = self.sizes.times_vector(unknowns);
         let (basis, count) = (&self.setting.basis, self.setting.coordinates.len());
         let mut entries = Vec::new();
         self.residuals(unknowns, true, |frame, along, row| {
@@ -185,7 +187,7 @@ pub(super) fn minimise(problem: &StageProblem<'_>, unknowns: &mut Vec<f64>) -> f
         let equations = problem.normal_equations(unknowns);
         let mut decrease = 0.0;
         while damping < 1e6 {
-            let step = equations.step(damping).unwrap_or_default();
+            let step = equations.damped_step(damping).unwrap_or_default();
             let next: Vec<f64> = unknowns.iter().zip(&step).map(|(value, change)| value + change).collect();
             let after = if next.len() == unknowns.len() { problem.cost(&next) } else { f64::INFINITY };
             if after <= cost {
@@ -219,7 +221,7 @@ fn correction_sizes(setting: &CorrectionInputs<'_>, slopes: &[FootSlopes]) -> No
     };
     for frame in 0..basis.first.len() {
         for (number, coordinate) in coordinates.iter().enumerate() {
-            add(frame, 0, &[(number, 1.0 / coordinate.usual(&setting.options))]);
+            add(frame, 0, &[(number, 1.0 / coordinate.usual_correction(&setting.options))]);
         }
         for (foot, along) in setting.feet.iter().zip(slopes) {
             let spheres = foot.pairs.len();

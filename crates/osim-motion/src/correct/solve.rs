@@ -42,7 +42,7 @@ impl NormalEquations {
     }
 
     /// A times `vector`.
-    pub(super) fn times(&self, vector: &[f64]) -> Vec<f64> {
+    pub(super) fn times_vector(&self, vector: &[f64]) -> Vec<f64> {
         let mut product = vec![0.0; vector.len()];
         for i in 0..vector.len() {
             let (first, row) = self.row(i);
@@ -55,7 +55,7 @@ impl NormalEquations {
     }
 
     /// The step d of (A + damping · diag A) d = -g; `None` if the matrix is not positive definite.
-    pub(super) fn step(&self, damping: f64) -> Option<Vec<f64>> {
+    pub(super) fn damped_step(&self, damping: f64) -> Option<Vec<f64>> {
         let mut factor = self.entries.clone();
         let mut step: Vec<f64> = Vec::with_capacity(self.ends.len());
         for i in 0..self.ends.len() {
@@ -70,9 +70,9 @@ impl NormalEquations {
                 row[j - first] = (row[j - first] - sum) / above[other.end - 1];
             }
             let (diagonal, entries) = row.split_last_mut()?;
-            let square = *diagonal * (1.0 + damping) - dot(entries, entries);
+            let square = *diagonal * (1.0 + damping) - dot_product(entries, entries);
             *diagonal = Some(square.sqrt()).filter(|root| *root > 0.0)?;
-            step.push((-self.gradient[i] - dot(entries, &step[first..])) / *diagonal);
+            step.push((-self.gradient[i] - dot_product(entries, &step[first..])) / *diagonal);
         }
         for i in (0..step.len()).rev() {
             let (first, range) = self.row(i);
@@ -85,7 +85,7 @@ impl NormalEquations {
     }
 }
 
-pub(super) fn dot(one: &[f64], other: &[f64]) -> f64 {
+pub(super) fn dot_product(one: &[f64], other: &[f64]) -> f64 {
     one.iter().zip(other).map(|(a, b)| a * b).sum()
 }
 
@@ -114,9 +114,9 @@ mod tests {
     fn a_step_solves_the_damped_equations() {
         let (equations, dense) = equations();
         for damping in [0.0, 0.3] {
-            let step = equations.step(damping).unwrap();
+            let step = equations.damped_step(damping).unwrap();
             for (i, row) in dense.iter().enumerate() {
-                let left = dot(row, &step) + damping * row[i] * step[i];
+                let left = dot_product(row, &step) + damping * row[i] * step[i];
                 assert!((left + equations.gradient[i]).abs() < 1e-9, "{damping} {i}");
             }
         }
@@ -126,13 +126,13 @@ mod tests {
     fn the_product_is_that_of_the_dense_matrix() {
         let (equations, dense) = equations();
         let vector: Vec<f64> = (0..12).map(|place| f64::from(place).cos()).collect();
-        for (product, row) in equations.times(&vector).iter().zip(&dense) {
-            assert!((product - dot(row, &vector)).abs() < 1e-12);
+        for (product, row) in equations.times_vector(&vector).iter().zip(&dense) {
+            assert!((product - dot_product(row, &vector)).abs() < 1e-12);
         }
     }
 
     #[test]
     fn equations_without_a_solution_have_no_step() {
-        assert_eq!(NormalEquations::new(2, 2).step(0.0), None);
+        assert_eq!(NormalEquations::new(2, 2).damped_step(0.0), None);
     }
 }

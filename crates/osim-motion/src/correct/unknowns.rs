@@ -121,7 +121,7 @@ fn is_frontal_knee(name: &str) -> bool {
 
 impl CorrectedCoordinate {
     /// The size of a usual correction, rad or m.
-    pub(super) fn usual(&self, options: &CorrectionOptions) -> f64 {
+    pub(super) fn usual_correction(&self, options: &CorrectionOptions) -> f64 {
         match self.kind {
             CoordinateKind::Translational => options.length_m,
             _ if self.moves_toes => 2.5 * options.angle_rad,

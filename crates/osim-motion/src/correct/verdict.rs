@@ -43,7 +43,7 @@ const LEAST_DELAY_S: f64 = 0.015;
 
 impl Mismatch {
     /// Whether plates and motion cannot be compared at all.
-    pub const fn prevents(&self) -> bool {
+    pub const fn prevents_comparison(&self) -> bool {
         !matches!(self, Self::Delay { .. } | Self::OneFoot { .. })
     }
 }
@@ -196,7 +196,7 @@ impl CorrectionFigures {
     }
 
     /// The largest of a figure of all feet.
-    pub fn worst(&self, figure: impl Fn(&FootErrors) -> f64) -> f64 {
+    pub fn largest_of_feet(&self, figure: impl Fn(&FootErrors) -> f64) -> f64 {
         self.feet.iter().map(figure).fold(0.0, f64::max)
     }
 
@@ -211,7 +211,7 @@ impl CorrectionFigures {
             .difference_of_feet_m()
             .filter(|apart_m| apart_m.abs() > MOST_DIFFERENCE_OF_FEET * options.length_m);
         causes.extend(apart_m.map(|apart_m| Mismatch::OneFoot { apart_m }));
-        let agrees = self.worst(|foot| foot.after.vertical_bw) <= MOST_VERTICAL_BW
+        let agrees = self.largest_of_feet(|foot| foot.after.vertical_bw) <= MOST_VERTICAL_BW
             && self.lift_p95_m <= MOST_LIFT * options.length_m;
         let verdict = match (causes.is_empty(), agrees) {
             (false, _) => MotionVerdict::Disagree,

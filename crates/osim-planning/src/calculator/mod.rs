@@ -16,7 +16,7 @@ use osim_requests::options::WantedOptions;
 use osim_requests::{ConstantIndentation, DesignRequest, Positive, RequestFault, RestitutionCoefficient};
 use serde::Serialize;
 
-use inputs::{RestingContact, DesignInputs, ModulusSource, solve_at_rest, speed_smoothing};
+use inputs::{DesignInputs, ModulusSource, RestingContact, solve_at_rest, speed_smoothing};
 pub(crate) use inputs::{STANDARD_GRAVITY_M_S2, domain_fault};
 
 /// All figures that follow from the known ones. Serialised it is the JSON contract of `design` without a model; `docs/reference/json.md`
@@ -379,7 +379,7 @@ fn add_smoothing(
     } else if let Some(reduced) = request.state_smoothing {
         let radius = need(Input::StateSmoothing)?;
         let value = smoothing::hertz_smoothing(reduced.get(), radius).map_err(domain_fault)?;
-        sheet.add_by("C.5", DesignQuantity::HertzSmoothing, value, false);
+        sheet.add_with_equation("C.5", DesignQuantity::HertzSmoothing, value, false);
         bd = Some(value);
     }
     if request.speed_smoothing.is_some() {

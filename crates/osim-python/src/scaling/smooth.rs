@@ -13,32 +13,32 @@ pub(super) const SMOOTH: &[Function] = &[
     function!(constant_indentation_force(
             composite_modulus: E, radius: R, constant_contact_force: CF, indentation: X, shape_factor: ETA = 1.0)
         -> Value(F_CF), "SmoothSphere::constant_indentation_force",
-        smooth_law(hertz(composite_modulus, radius, shape_factor)?, BeyondHertz { constant_contact_force, ..BeyondHertz::UNUSED })?
+        smooth_law(hertz(composite_modulus, radius, shape_factor)?, SmoothLawParameters { constant_contact_force, ..SmoothLawParameters::UNUSED })?
             .constant_indentation_force(indentation)),
     function!(smooth_elastic_force(
             composite_modulus: E, radius: R, constant_contact_force: CF, hertz_smoothing: BD, indentation: X,
             shape_factor: ETA = 1.0) -> Value(F_S), "SmoothSphere::elastic_force",
         smooth_law(hertz(composite_modulus, radius, shape_factor)?,
-            BeyondHertz { constant_contact_force, hertz_smoothing, ..BeyondHertz::UNUSED })?
+            SmoothLawParameters { constant_contact_force, hertz_smoothing, ..SmoothLawParameters::UNUSED })?
             .elastic_force(indentation)),
     function!(smooth_elastic_stiffness(
             composite_modulus: E, radius: R, constant_contact_force: CF, hertz_smoothing: BD, indentation: X,
             shape_factor: ETA = 1.0) -> Value(K), "SmoothSphere::stiffness",
         smooth_law(hertz(composite_modulus, radius, shape_factor)?,
-            BeyondHertz { constant_contact_force, hertz_smoothing, ..BeyondHertz::UNUSED })?
+            SmoothLawParameters { constant_contact_force, hertz_smoothing, ..SmoothLawParameters::UNUSED })?
             .stiffness(indentation)),
     function!(contact_state(hertz_smoothing: BD, indentation: X) -> Value(S_C), "SmoothSphere::contact_state",
-        smooth_law(Hertz::sphere(1.0, 1.0)?, BeyondHertz { hertz_smoothing, ..BeyondHertz::UNUSED })?.contact_state(indentation)),
+        smooth_law(Hertz::sphere(1.0, 1.0)?, SmoothLawParameters { hertz_smoothing, ..SmoothLawParameters::UNUSED })?.contact_state(indentation)),
     function!(smooth_force(
             composite_modulus: E, radius: R, dissipation: ALPHA, constant_contact_force: CF, hertz_smoothing: BD,
             hunt_crossley_smoothing: BV, indentation: X, speed: SPEED, shape_factor: ETA = 1.0)
         -> Value(F_SMOOTH), "SmoothSphere::force",
         smooth_law(hertz(composite_modulus, radius, shape_factor)?,
-            BeyondHertz { dissipation, constant_contact_force, hertz_smoothing, hunt_crossley_smoothing })?
+            SmoothLawParameters { dissipation, constant_contact_force, hertz_smoothing, hunt_crossley_smoothing })?
             .force(indentation, speed)),
     function!(speed_state(dissipation: ALPHA, hunt_crossley_smoothing: BV, speed: SPEED)
         -> Value(SPEED_STATE), "SmoothSphere::speed_state",
-        smooth_law(Hertz::sphere(1.0, 1.0)?, BeyondHertz { dissipation, hunt_crossley_smoothing, ..BeyondHertz::UNUSED })?
+        smooth_law(Hertz::sphere(1.0, 1.0)?, SmoothLawParameters { dissipation, hunt_crossley_smoothing, ..SmoothLawParameters::UNUSED })?
             .speed_state(speed)),
     function!(speed_state_at_rest(dissipation: ALPHA, hunt_crossley_smoothing: BV)
         -> Value(SPEED_STATE), "smoothing::speed_state_at_rest",
@@ -48,20 +48,20 @@ pub(super) const SMOOTH: &[Function] = &[
             hunt_crossley_smoothing: BV, indentation: X, shape_factor: ETA = 1.0)
         -> Value(F_SMOOTH), "SmoothSphere::rest_force",
         smooth_law(hertz(composite_modulus, radius, shape_factor)?,
-            BeyondHertz { dissipation, constant_contact_force, hertz_smoothing, hunt_crossley_smoothing })?
+            SmoothLawParameters { dissipation, constant_contact_force, hertz_smoothing, hunt_crossley_smoothing })?
             .rest_force(indentation)),
     function!(smooth_rest_stiffness(
             composite_modulus: E, radius: R, dissipation: ALPHA, constant_contact_force: CF, hertz_smoothing: BD,
             hunt_crossley_smoothing: BV, indentation: X, shape_factor: ETA = 1.0)
         -> Value(K), "SmoothSphere::rest_stiffness",
         smooth_law(hertz(composite_modulus, radius, shape_factor)?,
-            BeyondHertz { dissipation, constant_contact_force, hertz_smoothing, hunt_crossley_smoothing })?
+            SmoothLawParameters { dissipation, constant_contact_force, hertz_smoothing, hunt_crossley_smoothing })?
             .rest_stiffness(indentation)),
 ];
 
 /// What the law of a `SmoothSphereHalfSpaceForce` has beyond Hertz's: dissipation, cf, bd and bv, by OpenSim's names.
 #[derive(Clone, Copy)]
-struct BeyondHertz {
+struct SmoothLawParameters {
     /// Dissipation α, in s/m.
     dissipation: f64,
     /// Constant contact force cf, in m².
@@ -72,7 +72,7 @@ struct BeyondHertz {
     hunt_crossley_smoothing: f64,
 }
 
-impl BeyondHertz {
+impl SmoothLawParameters {
     /// Values for parameters that an equation does not depend on.
     const UNUSED: Self = Self {
         dissipation: 0.0,
@@ -82,8 +82,8 @@ impl BeyondHertz {
     };
 }
 
-fn smooth_law(hertz: Hertz, beyond: BeyondHertz) -> Result<SmoothSphere, DomainError> {
-    let BeyondHertz { dissipation, constant_contact_force, hertz_smoothing, hunt_crossley_smoothing } =
+fn smooth_law(hertz: Hertz, beyond: SmoothLawParameters) -> Result<SmoothSphere, DomainError> {
+    let SmoothLawParameters { dissipation, constant_contact_force, hertz_smoothing, hunt_crossley_smoothing } =
         beyond;
     let smoothing = SmoothingValues { constant_contact_force, hertz_smoothing, hunt_crossley_smoothing };
     SmoothSphere::new(hertz, dissipation, smoothing)

@@ -14,7 +14,7 @@ use crate::values::serial::Words;
 // Headings of the help.
 
 /// The heading of options that only one verb has; the help lists them first.
-const GROUP_OF_VERB_ALONE: &str = "";
+const GROUP_OF_ONE_VERB: &str = "";
 const MASSES_GROUP: &str = "Masses";
 const CHANGES_GROUP: &str = "What changes";
 const FORCES_GROUP: &str = "Which forces";
@@ -60,7 +60,7 @@ macro_rules! entries {
             })+)+
             $(Field::Operand($name) => {
                 let help = help_for($verb, $of_help, &[$((&[$($of_verb),+], $of_other)),*]);
-                Entry::new($name, GROUP_OF_VERB_ALONE, help).$of_takes $of_args $(.$of_more $of_more_args)*
+                Entry::new($name, GROUP_OF_ONE_VERB, help).$of_takes $of_args $(.$of_more $of_more_args)*
             })+
             Field::Operand(_) => return None,
         }
@@ -89,7 +89,7 @@ pub(super) fn entry_of(field: Field<'_>, verb: Verb) -> Option<Entry> {
         "name" = value("NAME"), "One preset (without it: list them all)";
         "set" = assignments(), "Properties by OpenSim's names, each with its value, or with a factor such as \"x2\"";
     }
-    GROUP_OF_VERB_ALONE => {
+    GROUP_OF_ONE_VERB => {
         TargetMass = value("KG").signed(), "Mass the contacts should be made for, kg",
             Inspect => "List what else would follow the size of a body of this mass, kg: muscles, springs, actuators",
             Plot => "Draw each contact also as it is after scaling to this mass, kg";
@@ -201,7 +201,7 @@ pub(super) fn entry_of(field: Field<'_>, verb: Verb) -> Option<Entry> {
         Ascii = flag().about(FieldGroup::Shown), "Spell symbols in plain letters, for consoles that cannot show them";
     }
     MASSES_GROUP => {
-        ContactsMass = value("KG").signed().under_if(is(&[Note]), GROUP_OF_VERB_ALONE).rare_if(is(&[Sweep, Motion, Plot, Fit]))
+        ContactsMass = value("KG").signed().under_if(is(&[Note]), GROUP_OF_ONE_VERB).rare_if(is(&[Sweep, Motion, Plot, Fit]))
             .refused_if(is(&[Transfer, Add, Design, DropTest])),
             "Mass the contacts are made for now, kg [default: the note, else `mass`]",
             Note => "Mass the contacts in the file were made for, kg";
@@ -209,7 +209,7 @@ pub(super) fn entry_of(field: Field<'_>, verb: Verb) -> Option<Entry> {
         ExcludeBody = values("GLOB").rare(), "Leave these bodies out of the sum (props, platforms); may be repeated";
     }
     CHANGES_GROUP => {
-        Radius = value(if is(&[DropTest, Fit]) { "M" } else { "RULE" }).under_if(is(&[Add, Fit]), GROUP_OF_VERB_ALONE)
+        Radius = value(if is(&[DropTest, Fit]) { "M" } else { "RULE" }).under_if(is(&[Add, Fit]), GROUP_OF_ONE_VERB)
             .under_if(is(&[Design, Sweep]), WANTED_GROUP).under_if(is(&[DropTest]), CONTACT_GROUP),
             "Radii: isometric (R ~ M^1/3), keep, a radius in metres, or a factor like x1.5 [default: isometric with `target_mass`, keep \
              otherwise]",
@@ -218,7 +218,7 @@ pub(super) fn entry_of(field: Field<'_>, verb: Verb) -> Option<Entry> {
             Design | Sweep => "Sphere radius in metres (with models also keep or a factor like x1.5)",
             DropTest | Fit => "Sphere radius, m",
             Add => "Radii: isometric (R ~ M^1/3), follow (with the factors of the bodies), or a radius in metres";
-        Level = flag().under_if(is(&[Add]), GROUP_OF_VERB_ALONE),
+        Level = flag().under_if(is(&[Add]), GROUP_OF_ONE_VERB),
             "Keep the soles: where a radius changes, move the centre so that the lowest point of the sphere stays",
             Add | Set => "Move spheres down until all spheres of a foot are as low as its lowest one, at the default pose";
         LevelAxis = choice(AxisChoice::WORDS).signed().rare(),
@@ -226,10 +226,10 @@ pub(super) fn entry_of(field: Field<'_>, verb: Verb) -> Option<Entry> {
         Only = with_commas("LIST").rare(), "Only these properties, separated by commas (OpenSim's names, and radius)";
         Keep = with_commas("LIST").rare(), "Everything but these properties";
         DissipationBy = choice(DissipationChoice::WORDS).rare(), "What dissipation follows (14): R^-1/2 or M^-1/6";
-        Friction = flag().under_if(is(&[Add]), GROUP_OF_VERB_ALONE).rare(),
+        Friction = flag().under_if(is(&[Add]), GROUP_OF_ONE_VERB).rare(),
             "Scale transition_velocity and viscous_friction too (an extension of the paper)",
             Add => "Scale transition_velocity and viscous_friction of the reference too (an extension of the paper)";
-        ContactsGravity = value("G").signed_if(is(&[Note])).under_if(is(&[Note]), GROUP_OF_VERB_ALONE).rare_if(!is(&[Note])).refused_if(is(&[Transfer])),
+        ContactsGravity = value("G").signed_if(is(&[Note])).under_if(is(&[Note]), GROUP_OF_ONE_VERB).rare_if(!is(&[Note])).refused_if(is(&[Transfer])),
             "Gravity the contacts are made for now, m/s2 [default: the note's, else the model's]",
             Note => "Gravity the contacts in the file were made for, m/s2 [default: the model's]";
         TargetGravity = value("G").rare(),
@@ -241,19 +241,19 @@ pub(super) fn entry_of(field: Field<'_>, verb: Verb) -> Option<Entry> {
         SkipDisabled = flag().rare(), "Leave out forces that are switched off";
     }
     OUTPUT_GROUP => {
-        Output = written("FILE").short('o').under_if(is(&[Motion, Plot]), GROUP_OF_VERB_ALONE).refused_if(is(&[Batch])).about(FieldGroup::Output),
+        Output = written("FILE").short('o').under_if(is(&[Motion, Plot]), GROUP_OF_ONE_VERB).refused_if(is(&[Batch])).about(FieldGroup::Output),
             "Write to this file, or - [default: NAME.scaled.osim beside it]",
             Motion => "Write the model's ground reactions to this file (.sto), with its ExternalLoads beside it (.xml)",
             Plot => "Write to this file: .svg, .pdf or .png (- is SVG on standard output)";
         GeometryOutput = written("FILE").rare().refused_if(is(&[Remove, Convert, Batch])).about(FieldGroup::Output),
             "Write the changed ContactGeometrySet of a standalone ForceSet to this file";
-        OutputDir = folder().short('d').under_if(is(&[Reproduce]), GROUP_OF_VERB_ALONE).rare_if(is(&[Fit])).about(FieldGroup::Output), "Write into this \
+        OutputDir = folder().short('d').under_if(is(&[Reproduce]), GROUP_OF_ONE_VERB).rare_if(is(&[Fit])).about(FieldGroup::Output), "Write into this \
                                                                                                                         folder",
             Sweep => "Write the models into this folder [default: NAME.sweep beside the model]",
             Reproduce => "Write table1.csv, fig4.svg and fig-c5.svg into this folder";
         InPlace = flag().rare_if(is(&[Fit])).about(FieldGroup::Output), "Change the model itself and keep the old one as NAME.osim.bak";
         NoBackup = flag().rare().about(FieldGroup::Output), "With `in_place`: keep no backup";
-        Force = flag().under_if(is(&[Motion, Plot, Reproduce]), GROUP_OF_VERB_ALONE).about(FieldGroup::Output), "Replace existing files",
+        Force = flag().under_if(is(&[Motion, Plot, Reproduce]), GROUP_OF_ONE_VERB).about(FieldGroup::Output), "Replace existing files",
             Inspect => "Replace an existing report",
             Check => "Replace existing files";
         NoNote = flag().rare(), "Leave no note (in the credits) in the model",
@@ -261,7 +261,7 @@ pub(super) fn entry_of(field: Field<'_>, verb: Verb) -> Option<Entry> {
         DryRun = flag().of_run(), "Write nothing, only show what would change",
             Sweep => "Write nothing, only show what would be made";
         Diff = flag().rare_if(!is(&[Remove, Convert, Note])).about(FieldGroup::Shown).of_run(), "Show the changes as a unified diff too";
-        Format = choice(format_words(verb)).under_if(is(&[Inspect, Check, DropTest, Motion, Reproduce, Presets, Explain]), GROUP_OF_VERB_ALONE)
+        Format = choice(format_words(verb)).under_if(is(&[Inspect, Check, DropTest, Motion, Reproduce, Presets, Explain]), GROUP_OF_ONE_VERB)
             .rare_if(is(&[Rescale, Fit])).about(FieldGroup::Shown).of_run(),
             "How to print [default: table; lines if more than 10 models]",
             Sweep | Inspect | Check | DropTest | Motion | Reproduce | Presets | Explain => "How to print";
@@ -272,7 +272,7 @@ pub(super) fn entry_of(field: Field<'_>, verb: Verb) -> Option<Entry> {
         Summary = written("FILE").rare().about(FieldGroup::Many).of_run(), "Keep a line per model in this file (.csv or .ndjson)";
         Resume = flag().rare().about(FieldGroup::Many).of_run(), "Skip models that `summary` says are done, if nothing has changed since",
             Sweep => "Continue a sweep that was stopped or changed: make the models that are missing or out of date, and leave edited ones";
-        Shard = value("I/N").under_if(is(&[Sweep]), GROUP_OF_VERB_ALONE).rare().about(FieldGroup::Many).of_run(), "Only share I of N of the models, for \
+        Shard = value("I/N").under_if(is(&[Sweep]), GROUP_OF_ONE_VERB).rare().about(FieldGroup::Many).of_run(), "Only share I of N of the models, for \
                        job arrays",
             Sweep => "Only share I of N of the points, for job arrays";
         Yes = values("CODE").rare(), "Confirm what looks like a mistake: the code of the error that asks; may be repeated";
@@ -281,15 +281,15 @@ pub(super) fn entry_of(field: Field<'_>, verb: Verb) -> Option<Entry> {
     }
     SETS_GROUP => {
         Geometry = read("FILE").rare(), "The ContactGeometrySet (or model) that holds the spheres of a standalone ForceSet";
-        Model = read(if is(&[Sweep]) { "MODEL" } else { "FILE" }).under_if(is(&[Sweep]), GROUP_OF_VERB_ALONE).rare_if(!is(&[Sweep])),
+        Model = read(if is(&[Sweep]) { "MODEL" } else { "FILE" }).under_if(is(&[Sweep]), GROUP_OF_ONE_VERB).rare_if(!is(&[Sweep])),
             "The model a standalone ForceSet belongs to, for its masses and joints",
             Sweep => "The model (.osim) whose variants are made";
     }
     WEIGHT_GROUP => {
-        Spheres = value("N").under_if(is(&[Inspect, Check]), FIGURES_GROUP).under_if(is(&[Fit]), GROUP_OF_VERB_ALONE),
+        Spheres = value("N").under_if(is(&[Inspect, Check]), FIGURES_GROUP).under_if(is(&[Fit]), GROUP_OF_ONE_VERB),
             "Spheres that share the body weight, all stance limbs together [default: as found per limb]",
             Fit => "Spheres that share the measured force";
-        StanceLimbs = value("N").under_if(is(&[Note]), GROUP_OF_VERB_ALONE).under_if(is(&[Inspect, Check]), FIGURES_GROUP).rare_if(!is(&[Note])),
+        StanceLimbs = value("N").under_if(is(&[Note]), GROUP_OF_ONE_VERB).under_if(is(&[Inspect, Check]), FIGURES_GROUP).rare_if(!is(&[Note])),
             "Limbs that share the body weight [default: as the note in the model says, else 1]",
             Note => "Limbs that share the body weight [default: as the note in the model says]";
     }
@@ -302,12 +302,12 @@ pub(super) fn entry_of(field: Field<'_>, verb: Verb) -> Option<Entry> {
         ReferenceSphere = value("NAME").rare(), "Take contact and isometric radius of this sphere for all";
     }
     SCALED_GROUP => {
-        BodyScale = values("BODY=x,y,z").under_if(is(&[Add]), GROUP_OF_VERB_ALONE).rare_if(is(&[Transfer])),
+        BodyScale = values("BODY=x,y,z").under_if(is(&[Add]), GROUP_OF_ONE_VERB).rare_if(is(&[Transfer])),
             "Factors of a body (or one, BODY=f); may be repeated",
             Add => "Factors of a body against the reference's (or one, BODY=f); may be repeated";
         RadiusAxis = choice(RadiusAxisChoice::WORDS).rare(), "How the radius of a sphere follows from the three factors of its body";
         MovedSpheres = choice(MovedChoice::WORDS).rare(), "Spheres that were moved or resized already: keep them, or place them again";
-        Strict = flag().under_if(is(&[Convert]), GROUP_OF_VERB_ALONE).rare(), "Refuse where spheres of one force follow bodies with different factors",
+        Strict = flag().under_if(is(&[Convert]), GROUP_OF_ONE_VERB).rare(), "Refuse where spheres of one force follow bodies with different factors",
             Convert => "Refuse where sphere and half-space have parameters of their own that differ";
         Rule = choice(RuleChoice::WORDS).rare(), "The paper's scaling, or PredSim's (stiffness by mass/height^2, dissipation by 1/height)";
         HeightRatio = value("RATIO").rare(), "Height of this model over that of the reference [default: mean of the body factors]";
@@ -349,7 +349,7 @@ pub(super) fn entry_of(field: Field<'_>, verb: Verb) -> Option<Entry> {
     LOAD_GROUP => {
         Load = value("N").rare_if(!is(&[Design])), "Total load on all spheres, N";
         BodyWeights = value("B").rare_if(!is(&[Design])), "The load in body weights [default: 1 where a mass is known]";
-        Gravity = value("G").under_if(is(&[Inspect, Check]), FIGURES_GROUP).under_if(is(&[DropTest]), CONTACT_GROUP).under_if(is(&[Plot]), GROUP_OF_VERB_ALONE)
+        Gravity = value("G").under_if(is(&[Inspect, Check]), FIGURES_GROUP).under_if(is(&[DropTest]), CONTACT_GROUP).under_if(is(&[Plot]), GROUP_OF_ONE_VERB)
             .rare_if(!is(&[Design, DropTest])),
             "Gravity, m/s2 [default: the model's, else 9.80665]",
             Inspect | Check => "Gravity, m/s2 [default: the model's own]",

@@ -20,7 +20,7 @@ pub struct Matlab;
 
 impl Dialect for Matlab {
     fn input(&self, input: Input, example: Option<&Example>) -> String {
-        let name = quoted(&option_name(input.name()));
+        let name = matlab_quoted(&option_name(input.name()));
         match example {
             Some(example) => format!("{name}, {}", example_value(example)),
             None if is_flag(input) => format!("{name}, true"),
@@ -33,11 +33,11 @@ impl Dialect for Matlab {
         let inputs = &call.inputs;
         let first = inputs.iter().filter(|(input, _)| is_positional(*input));
         arguments.extend(first.filter_map(|(_, example)| example.as_ref().map(example_value)));
-        arguments.extend(call.with_model.then(|| quoted("model.osim")));
+        arguments.extend(call.with_model.then(|| matlab_quoted("model.osim")));
         let set = inputs.iter().filter(|(input, _)| is_assignment(call, *input));
         let set: Vec<String> = set
             .filter_map(|(input, example)| {
-                Some(format!("{}, {}", quoted(input.name()), example_value(example.as_ref()?)))
+                Some(format!("{}, {}", matlab_quoted(input.name()), example_value(example.as_ref()?)))
             })
             .collect();
         arguments.extend((!set.is_empty()).then(|| format!("'Set', struct({})", set.join(", "))));
@@ -60,7 +60,7 @@ impl Speller for Matlab {
             })
             .collect();
         for (name, value) in fields.outside_groups(&[FieldGroup::Shown]) {
-            arguments.extend([quoted(&option_name(name)), value_literal(value)]);
+            arguments.extend([matlab_quoted(&option_name(name)), value_literal(value)]);
         }
         function_call(fields.verb, &arguments)
     }
@@ -72,7 +72,7 @@ impl Speller for Matlab {
 
 impl FrontEnd for Matlab {
     fn word(&self, name: &str) -> String {
-        quoted(name)
+        matlab_quoted(name)
     }
 }
 
@@ -85,7 +85,7 @@ fn example_value(example: &Example) -> String {
     match example {
         Example::Placeholder(word) if !word.contains(['.', ',', '=']) => word.to_string(),
         Example::Value(value) if value.parse::<f64>().is_ok_and(f64::is_finite) => value.clone(),
-        example => quoted(&example.to_string()),
+        example => matlab_quoted(&example.to_string()),
     }
 }
 
@@ -109,18 +109,20 @@ fn value_literal(value: &FieldValue) -> String {
     match value {
         FieldValue::Flag => "true".to_owned(),
         FieldValue::Number(number) => digits(number),
-        FieldValue::Text(text) => quoted(text),
+        FieldValue::Text(text) => matlab_quoted(text),
         FieldValue::List(items) if items.iter().all(|item| matches!(item, FieldValue::Number(_))) => {
             format!("[{}]", items.iter().map(value_literal).collect::<Vec<_>>().join(", "))
         }
         FieldValue::List(items) => cell_array(items.iter().map(value_literal)),
         FieldValue::Map(entries) if entries.iter().all(|(name, _)| is_field_name(name)) => {
-            let pairs: Vec<String> =
-                entries.iter().flat_map(|(name, value)| [quoted(name), value_literal(value)]).collect();
+            let pairs: Vec<String> = entries
+                .iter()
+                .flat_map(|(name, value)| [matlab_quoted(name), value_literal(value)])
+                .collect();
             format!("struct({})", pairs.join(", "))
         }
         FieldValue::Map(entries) => {
-            let names = cell_array(entries.iter().map(|(name, _)| quoted(name)));
+            let names = cell_array(entries.iter().map(|(name, _)| matlab_quoted(name)));
             let values = cell_array(entries.iter().map(|(_, value)| value_literal(value)));
             format!("containers.Map({names}, {values})")
         }
@@ -143,7 +145,7 @@ fn cell_array(items: impl Iterator<Item = String>) -> String {
 
 /// A text between single quotation marks; a quotation mark in the text is doubled. Control characters are written by their
 /// numbers.
-fn quoted(text: &str) -> String {
+fn matlab_quoted(text: &str) -> String {
     let mut literal = String::new();
     for letter in text.chars() {
         match letter {
@@ -183,7 +185,7 @@ mod tests {
             ("", "''"),
             ("a\nb", "['a' char(10) 'b']"),
         ] {
-            assert_eq!(quoted(text), expected);
+            assert_eq!(matlab_quoted(text), expected);
         }
     }
 

@@ -65,7 +65,8 @@ impl Speller for Python {
     fn request(&self, request: &Request) -> String {
         let fields = Fields::of(request);
         let written: Vec<String> =
-            keywords(fields.in_group(FieldGroup::Output).filter(|(name, _)| name == "output")).collect();
+            keyword_arguments(fields.in_group(FieldGroup::Output).filter(|(name, _)| name == "output"))
+                .collect();
         let writes = plans_one_model(&fields) && !written.is_empty();
         let write =
             if writes { format!(".write({})", python_arguments(written.into_iter())) } else { String::new() };
@@ -109,15 +110,15 @@ fn call_of(fields: &Fields) -> String {
         return call_of_many(fields);
     }
     let named = fields.outside_groups(groups).filter(|(name, _)| !left_out.contains(&name.as_str()));
-    arguments.extend(keywords(named));
+    arguments.extend(keyword_arguments(named));
     function_call(fields.verb, &arguments)
 }
 
 /// The Python call that changes many models, and writes them.
 fn call_of_many(fields: &Fields) -> String {
-    let models = fields.models().iter().map(|model| literal("models", model));
+    let models = fields.models().iter().map(|model| python_literal("models", model));
     let mut arguments = vec![python_quoted(fields.verb.name()), format!("[{}]", python_arguments(models))];
-    arguments.extend(keywords(fields.outside_groups(&[FieldGroup::Shown])));
+    arguments.extend(keyword_arguments(fields.outside_groups(&[FieldGroup::Shown])));
     format!("ocs.many({})", python_arguments(arguments.into_iter()))
 }
 
@@ -126,9 +127,9 @@ fn call_of_many(fields: &Fields) -> String {
 fn positional_arguments(verb: Verb, (name, value): &Field) -> Vec<String> {
     match value {
         FieldValue::List(items) if items.len() == 1 || matches!(verb, Verb::Plot | Verb::Explain) => {
-            items.iter().map(|item| literal(name, item)).collect()
+            items.iter().map(|item| python_literal(name, item)).collect()
         }
-        value => vec![literal(name, value)],
+        value => vec![python_literal(name, value)],
     }
 }
 
@@ -137,7 +138,10 @@ fn lines_for_plan(fields: &Fields) -> Vec<String> {
     let mut lines = vec![match fields.option("dry_run") {
         Some(_) => PRINT_RESULT.to_owned(),
         None => {
-            format!("result.write({})", python_arguments(keywords(fields.in_group(FieldGroup::Output))))
+            format!(
+                "result.write({})",
+                python_arguments(keyword_arguments(fields.in_group(FieldGroup::Output)))
+            )
         }
     }];
     if fields.option("diff").is_some() {
@@ -156,7 +160,7 @@ fn lines_for_figure(fields: &Fields) -> Vec<String> {
 /// The line of a script that writes the file in the field `name` with the method `method` of the result.
 fn save_line(method: &str, name: &str, file: &FieldValue, fields: &Fields) -> String {
     let force = fields.options.iter().filter(|(name, _)| name == "force");
-    let arguments = std::iter::once(literal(name, file)).chain(keywords(force));
+    let arguments = std::iter::once(python_literal(name, file)).chain(keyword_arguments(force));
     format!("result.{method}({})", python_arguments(arguments))
 }
 
@@ -165,28 +169,31 @@ fn python_arguments(arguments: impl Iterator<Item = String>) -> String {
 }
 
 /// Keyword arguments with their values. Each assigned property is a keyword.
-fn keywords<'f>(options: impl Iterator<Item = &'f Field>) -> impl Iterator<Item = String> {
+fn keyword_arguments<'f>(options: impl Iterator<Item = &'f Field>) -> impl Iterator<Item = String> {
     options.flat_map(|option| {
         let entries = match option {
             (name, FieldValue::Map(properties)) if name == "set" => properties.as_slice(),
             option => std::slice::from_ref(option),
         };
-        entries.iter().map(|(name, value)| format!("{}={}", python_keyword(name), literal(name, value)))
+        entries
+            .iter()
+            .map(|(name, value)| format!("{}={}", python_keyword(name), python_literal(name, value)))
     })
 }
 
 /// A Python literal for the value of the field `name`.
-fn literal(name: &str, value: &FieldValue) -> String {
+fn python_literal(name: &str, value: &FieldValue) -> String {
     match value {
         FieldValue::Flag => "True".to_owned(),
         FieldValue::Number(number) => digits(number),
         FieldValue::Text(text) if is_path(name) => python_quoted(&file_word(text)),
         FieldValue::Text(text) => python_quoted(text),
         FieldValue::List(items) => {
-            format!("[{}]", python_arguments(items.iter().map(|item| literal(name, item))))
+            format!("[{}]", python_arguments(items.iter().map(|item| python_literal(name, item))))
         }
         FieldValue::Map(entries) => {
-            let entry = |(key, value): &Field| format!("{}: {}", python_quoted(key), literal(name, value));
+            let entry =
+                |(key, value): &Field| format!("{}: {}", python_quoted(key), python_literal(name, value));
             format!("{{{}}}", python_arguments(entries.iter().map(entry)))
         }
     }

@@ -13,7 +13,8 @@ use serde_json::Value;
 use crate::values::assignment::assignment;
 use crate::values::serial::{from_texts, values_as_text};
 use crate::values::typed_numbers::{
-    Range, advice_about_colons, factor, log_spaced, plain_number, positive_number, respell_colons, trimmed,
+    TypedRange, advice_about_colons, factor, log_spaced, plain_number, positive_number, respell_colons,
+    trimmed,
 };
 
 /// The largest number of values of a grid.
@@ -37,7 +38,7 @@ impl AxisName {
     /// `values` is not a range, or `name` is not an axis.
     pub fn suggested_axis(name: &str, values: &str) -> Option<String> {
         let name: Self = name.replace('-', "_").parse().ok()?;
-        let is_axis = Range::is_meant(values) || values.contains(',');
+        let is_axis = TypedRange::is_meant(values) || values.contains(',');
         let values = respell_colons(values).or_else(|| is_axis.then(|| values.to_owned()))?;
         let axis = format!("{}={values}", name.as_str());
         axis.parse::<Axis>().is_ok().then_some(axis)
@@ -110,7 +111,7 @@ impl FromStr for Axis {
             if let Some(answer) = advice_about_colons(item) {
                 return Err(answer);
             }
-            if Range::is_meant(item) {
+            if TypedRange::is_meant(item) {
                 values.extend(axis_range(name, item)?);
             } else {
                 values.push(axis_value(name, trimmed(item))?);
@@ -152,7 +153,7 @@ fn axis_range(name: AxisName, text: &str) -> Result<Vec<GridValue>, String> {
             "expected a range FROM..TO/COUNT with numbers above 0 and a COUNT from 2 to {MOST_GRID_VALUES}, such as x0.1..x10/9"
         )
     };
-    let range = Range::read(text, MOST_GRID_VALUES)
+    let range = TypedRange::read(text, MOST_GRID_VALUES)
         .filter(|range| range.are_factors().is_some())
         .ok_or_else(expected)?;
     let (first, last) = (axis_value(name, range.first)?, axis_value(name, range.last)?);
@@ -255,8 +256,8 @@ impl FromStr for Grid {
                 "expected FROM..TO/COUNT like 1e5..1e7/25, or factors like x0.1..x10/25, and a COUNT from 2 to {MOST_VALUES_OF_PLOT_AXIS}"
             )
         };
-        let range =
-            Range::read(text, u32::MAX).ok_or_else(|| advice_about_colons(text).unwrap_or_else(expected))?;
+        let range = TypedRange::read(text, u32::MAX)
+            .ok_or_else(|| advice_about_colons(text).unwrap_or_else(expected))?;
         let Some(factors) = range.are_factors() else {
             return Err("both ends are numbers, or both are factors like x0.1..x10/25".to_owned());
         };

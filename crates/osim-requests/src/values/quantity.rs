@@ -60,12 +60,17 @@ macro_rules! quantities {
 }
 
 /// A plain number for which `is_in` is true.
-fn plain(text: &str, expected: &str, is_in: fn(f64) -> bool) -> Result<f64, String> {
+fn plain_number_within(text: &str, expected: &str, is_in: fn(f64) -> bool) -> Result<f64, String> {
     plain_number(trimmed(text)).filter(|value| is_in(*value)).ok_or_else(|| format!("expected {expected}"))
 }
 
 /// A number above 0 for which `is_in` is true.
-fn within(text: &str, expected: &str, units: &[UnitSpelling], is_in: fn(f64) -> bool) -> Result<f64, String> {
+fn positive_number_within(
+    text: &str,
+    expected: &str,
+    units: &[UnitSpelling],
+    is_in: fn(f64) -> bool,
+) -> Result<f64, String> {
     let value = positive(text, expected, units)?;
     if is_in(value) { Ok(value) } else { Err(format!("expected {expected}")) }
 }
@@ -90,11 +95,11 @@ quantities! {
     Metres = |text| not_negative(text, "metres", LENGTH_UNITS), {"type": "number", "minimum": 0};
 
     /// A number of either sign, in the unit of its field.
-    Signed = |text| plain(text, "a number", f64::is_finite), {"type": "number"};
+    Signed = |text| plain_number_within(text, "a number", f64::is_finite), {"type": "number"};
 
     /// x̂, an indentation over the radius: above 0, at most 1.
     RelativeIndentation = |text| {
-        within(text, "a relative indentation (x/R) above 0, at most 1", &[], |x| x <= 1.0)
+        positive_number_within(text, "a relative indentation (x/R) above 0, at most 1", &[], |x| x <= 1.0)
     }, {"type": "number", "exclusiveMinimum": 0, "maximum": 1};
 
     /// √cf/R: above 0, for OpenSim computes nothing from a cf of 0.
@@ -108,29 +113,29 @@ quantities! {
     }, {"type": "number", "exclusiveMinimum": 0};
 
     /// t, the share of a transition that counts as outside it: between 0 and 0.5.
-    Threshold = |text| within(text, "a threshold between 0 and 0.5", &[], |t| t < 0.5),
+    Threshold = |text| positive_number_within(text, "a threshold between 0 and 0.5", &[], |t| t < 0.5),
         {"type": "number", "exclusiveMinimum": 0, "exclusiveMaximum": 0.5}, contact_scaling::limits::TRANSITION_SHARE;
 
     /// c_r, a coefficient of restitution: 0 to 1.
     RestitutionCoefficient = |text| {
-        plain(text, "a coefficient of restitution from 0 to 1", |value| (0.0..=1.0).contains(&value))
+        plain_number_within(text, "a coefficient of restitution from 0 to 1", |value| (0.0..=1.0).contains(&value))
     }, {"type": "number", "minimum": 0, "maximum": 1};
 
     /// ν, Poisson's ratio: above -1, at most 0.5.
     PoissonRatio = |text| {
-        plain(text, "a Poisson's ratio above -1, at most 0.5", |value| value > -1.0 && value <= 0.5)
+        plain_number_within(text, "a Poisson's ratio above -1, at most 0.5", |value| value > -1.0 && value <= 0.5)
     }, {"type": "number", "exclusiveMinimum": -1, "maximum": 0.5};
 
     /// A width of a figure in mm, 20 to 1000.
     FigureWidth = |text| {
         let units = [("mm", 1.0), ("cm", 10.0)];
-        within(text, "a width in mm from 20 to 1000", &units, |mm| (20.0..=1000.0).contains(&mm))
+        positive_number_within(text, "a width in mm from 20 to 1000", &units, |mm| (20.0..=1000.0).contains(&mm))
     }, {"type": "number", "minimum": 20, "maximum": 1000};
 
     /// A size of letters in points of 1/72 inch, 4 to 40.
     FontSize = |text| {
         let expected = "a size of letters in points from 4 to 40";
-        within(text, expected, &[("pt", 1.0)], |points| (4.0..=40.0).contains(&points))
+        positive_number_within(text, expected, &[("pt", 1.0)], |points| (4.0..=40.0).contains(&points))
     }, {"type": "number", "minimum": 4, "maximum": 40}, 7.0;
 
     /// A number of things, 1 to a million.

@@ -134,7 +134,7 @@ pub fn factor(text: &str) -> Option<&str> {
 
 /// A range as it was typed; the caller interprets both ends.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Range<'t> {
+pub struct TypedRange<'t> {
     /// First value of the range, as it was typed.
     pub first: &'t str,
     /// Last value of the range, as it was typed.
@@ -143,7 +143,7 @@ pub struct Range<'t> {
     pub count: u32,
 }
 
-impl<'t> Range<'t> {
+impl<'t> TypedRange<'t> {
     /// Whether `text` looks like a range.
     pub fn is_meant(text: &str) -> bool {
         text.contains("..")
@@ -229,9 +229,12 @@ mod tests {
 
     #[test]
     fn a_range_has_two_ends_and_a_count() {
-        assert_eq!(Range::read("x0.1 .. x10 / 9", 9), Some(Range { first: "x0.1", last: "x10", count: 9 }));
+        assert_eq!(
+            TypedRange::read("x0.1 .. x10 / 9", 9),
+            Some(TypedRange { first: "x0.1", last: "x10", count: 9 })
+        );
         for refused in ["1..4", "1/3", "1..4/1", "1..4/10", "1..4/x", "1..4/-2", ""] {
-            assert_eq!(Range::read(refused, 9), None, "{refused}");
+            assert_eq!(TypedRange::read(refused, 9), None, "{refused}");
         }
     }
 

@@ -49,7 +49,8 @@ pub fn contact_force(
         };
         let series = series::force(body, kind, units, (from_m, to_m))?;
         let outside = series.rest.map(|(x, _)| x).filter(|x| *x > units.x(to_m, radius_m));
-        let remark = outside.map(|x| format!(" (rests at {}, outside the figure)", rest_text(x, units)));
+        let remark = outside
+            .map(|x| format!(" (rests at {}, outside the figure)", indentation_at_rest_text(x, units)));
         let name = series::curve_name(body, kind, bodies.len() == 1);
         drawn.push(KindOfSphereLaws { name, series, remark: remark.unwrap_or_default() });
     }
@@ -120,7 +121,7 @@ fn end_of_force_axis(drawn: &[KindOfSphereLaws]) -> Option<f64> {
     (highest > top && top > 0.0).then_some(top)
 }
 
-fn rest_text(x: f64, units: PlotUnits) -> String {
+fn indentation_at_rest_text(x: f64, units: PlotUnits) -> String {
     match units.indentation {
         IndentationUnit::Relative => format!("x̂ = {x:.2}"),
         IndentationUnit::Millimetre => format!("{x:.1} mm"),

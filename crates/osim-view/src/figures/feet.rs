@@ -68,7 +68,7 @@ fn block_of_foot(foot: &Foot, other: Option<&Foot>) -> Block {
     Block {
         title,
         remarks: remarks_on_foot(foot, before),
-        views: [ViewSide::Right, ViewSide::Above].map(|from| view(foot, before, from)).into(),
+        views: [ViewSide::Right, ViewSide::Above].map(|from| view_of_foot(foot, before, from)).into(),
     }
 }
 
@@ -137,7 +137,7 @@ enum ViewSide {
 }
 
 /// A foot from one side; `before` is the foot in another state, with the shift to draw it at the same place.
-fn view(foot: &Foot, before: Option<(&Foot, DVec3)>, from: ViewSide) -> View {
+fn view_of_foot(foot: &Foot, before: Option<(&Foot, DVec3)>, from: ViewSide) -> View {
     let [forward, up, right] = foot.axes.names();
     let place = match &foot.frame {
         FootFrame::Ground => "in ground",

@@ -2,7 +2,7 @@
 
 use contact_plots::{Axis, Curve, Drawing, Figure, HeatLimit, HeatMap, Limit, Look, Mark, Panel, Point};
 use contact_scaling::limits;
-use osim_inspect::series::{self, ContactBody, HeatRequest, Parameter, Profile};
+use osim_inspect::series::{self, ContactBody, HeatParameter, HeatRequest, Profile};
 use osim_model::files::Failure;
 use osim_model::messages::{Input, phrase};
 use osim_planning::HeatTable;
@@ -67,8 +67,8 @@ fn curve_figure(
     body: &str,
 ) -> Figure {
     let (axis, other) = match profile.along {
-        Parameter::Stiffness => (STIFFNESS_LABEL, "dissipation α"),
-        Parameter::Dissipation => (DISSIPATION_LABEL, "stiffness E₁*"),
+        HeatParameter::Stiffness => (STIFFNESS_LABEL, "dissipation α"),
+        HeatParameter::Dissipation => (DISSIPATION_LABEL, "stiffness E₁*"),
     };
     let mut panel = Panel::new("", Axis::logarithmic(axis), Axis::new(words.label));
     panel.curves.push(Curve::new(words.curve, profile.points, Look::HERTZ));

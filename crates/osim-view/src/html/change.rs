@@ -10,7 +10,7 @@ use osim_planning::{BeforeAfter, ModelFeet};
 use crate::html::explained::{Topics, as_sentence, first_names_and_count, severity_tag};
 use crate::html::fragment::{DetailLevel, Fragment, Section, table};
 use crate::html::inspected::{self, ListedFiles};
-use crate::html::special_models::{DrawnStates, ModelFacts, deepest};
+use crate::html::special_models::{DrawnStates, ModelFacts, largest_indentation};
 use crate::html::sphere_figures::{self, ModelState};
 use crate::html::{Entry, RunRow, findings, plots, reference};
 use crate::report::plan::{
@@ -152,8 +152,8 @@ fn facts_of_change(changed: &ChangedModelOnPage<'_>) -> ModelFacts {
     let (inspected, checked) = changed.after.unwrap_or(changed.before);
     let mut facts = ModelFacts::new(&inspected.figures, checked, changed.bodies.last());
     facts.reference = changed.reference.map(reference::in_words);
-    facts.indentation.before = deepest(&changed.before.0.figures);
-    facts.indentation.not_scaled = changed.before_under_new_weight.and_then(deepest);
+    facts.indentation.before = largest_indentation(&changed.before.0.figures);
+    facts.indentation.not_scaled = changed.before_under_new_weight.and_then(largest_indentation);
     facts
 }
 

@@ -13,7 +13,8 @@ pub(super) const SECTION_HEAD: (&str, &str) = ("findings", "Findings");
 /// Adds the section about the findings of one model.
 pub(super) fn add_verdicts_and_findings(fragment: &mut Fragment, check: &CheckResult) {
     let findings: Vec<&FindingWithRemedy> = check.findings.iter().collect();
-    let list = list_of_items(&items_of_findings(fragment, &findings, LineOf::Only, CommandDisplay::Shown));
+    let list =
+        list_of_items(&items_of_findings(fragment, &findings, FileOfLine::Only, CommandDisplay::Shown));
     let body = html! {
         (verdicts_of_model(&check.verdicts))
         @if check.findings.is_empty() { p { "No findings: all values are within the limits." } }
@@ -40,13 +41,13 @@ pub(super) fn add_findings_of_change(fragment: &mut Fragment, now: &CheckResult,
     let gone = |one: &&FindingWithRemedy| index.find_same_or_other_depth(one).is_none();
     let gone_findings: Vec<&FindingWithRemedy> = now.findings.iter().filter(gone).collect();
     let commands = if new.in_file { CommandDisplay::Shown } else { CommandDisplay::Hidden };
-    let new_findings = items_of_findings(fragment, &new_findings, LineOf::New, commands);
+    let new_findings = items_of_findings(fragment, &new_findings, FileOfLine::New, commands);
     let kept_items: Vec<Markup> = pairs
         .iter()
         .filter_map(|(one, before)| Some((one, before.as_ref()?)))
-        .map(|(one, before)| html! { (item_of_finding(fragment, one, LineOf::New, commands)) (old_message(fragment, one, before)) })
+        .map(|(one, before)| html! { (item_of_finding(fragment, one, FileOfLine::New, commands)) (old_message(fragment, one, before)) })
         .collect();
-    let gone_findings = items_of_findings(fragment, &gone_findings, LineOf::Old, CommandDisplay::Hidden);
+    let gone_findings = items_of_findings(fragment, &gone_findings, FileOfLine::Old, CommandDisplay::Hidden);
     let groups = [
         ("New with this change", new_findings),
         ("Still there", kept_items),
@@ -96,7 +97,7 @@ fn old_message(fragment: &mut Fragment, one: &FindingWithRemedy, before: &Findin
 
 /// The file to which the line number of a finding belongs.
 #[derive(Clone, Copy)]
-enum LineOf {
+enum FileOfLine {
     Only,
     Old,
     New,
@@ -116,7 +117,7 @@ fn list_of_items(items: &[Markup]) -> Markup {
 fn items_of_findings(
     fragment: &mut Fragment,
     findings: &[&FindingWithRemedy],
-    lines: LineOf,
+    lines: FileOfLine,
     commands: CommandDisplay,
 ) -> Vec<Markup> {
     findings.iter().map(|finding| item_of_finding(fragment, finding, lines, commands)).collect()
@@ -125,15 +126,15 @@ fn items_of_findings(
 fn item_of_finding(
     fragment: &mut Fragment,
     finding: &FindingWithRemedy,
-    lines: LineOf,
+    lines: FileOfLine,
     commands: CommandDisplay,
 ) -> Markup {
     let message = finding.message.to_string();
     let place = finding.place.as_deref().filter(|place| !message.contains(*place));
     let file = match lines {
-        LineOf::Only => "",
-        LineOf::Old => " of the old file",
-        LineOf::New => " of the new file",
+        FileOfLine::Only => "",
+        FileOfLine::Old => " of the old file",
+        FileOfLine::New => " of the new file",
     };
     html! {
         p {
@@ -158,7 +159,7 @@ const TABLE_NAME: &str = "Verdicts";
 fn verdicts_of_model(verdicts: &[Verdict]) -> Markup {
     let rows = html! {
         @for verdict in verdicts {
-            tr { (question_cell(verdict)) td.words { (sign_tag(verdict.sign)) } (answer_cell(verdict)) }
+            tr { (heading_cell(verdict)) td.words { (sign_tag(verdict.sign)) } (verdict_cell(verdict)) }
         }
     };
     let caption = format!("{} questions about the model.", number_in_words(verdicts.len()));
@@ -168,14 +169,14 @@ fn verdicts_of_model(verdicts: &[Verdict]) -> Markup {
 fn verdicts_of_change(before: &[Verdict], after: &[Verdict]) -> Markup {
     let rows = html! {
         @for (before, after) in before.iter().zip(after) { tr {
-            (question_cell(after)) td.words { (sign_tag(before.sign)) } td.words { (sign_tag(after.sign)) } (answer_cell(after))
+            (heading_cell(after)) td.words { (sign_tag(before.sign)) } td.words { (sign_tag(after.sign)) } (verdict_cell(after))
         } }
     };
     let headers = ["question", " before", " after", " why, after the change"];
     table(TABLE_NAME, "Six questions about the model, before and after the change.", &headers, &rows)
 }
 
-fn question_cell(verdict: &Verdict) -> Markup {
+fn heading_cell(verdict: &Verdict) -> Markup {
     html! { th scope="row" { (verdict.on.as_question()) } }
 }
 
@@ -183,7 +184,7 @@ fn sign_tag(sign: Sign) -> Markup {
     html! { span class={ "tag " (sign.as_str()) } { (sign.as_str()) } }
 }
 
-fn answer_cell(verdict: &Verdict) -> Markup {
+fn verdict_cell(verdict: &Verdict) -> Markup {
     let text = verdict.text.to_string();
     let place = verdict.place.as_deref().filter(|place| !text.contains(*place));
     html! { td.words { (text) @if let Some(place) = place { " " span.quiet { (place) } } } }

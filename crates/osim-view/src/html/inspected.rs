@@ -13,7 +13,9 @@ use crate::html::special_models::{DrawnStates, ModelFacts};
 use crate::html::sphere_figures::{self, ModelState};
 use crate::html::{Entry, findings, plots, reference};
 use crate::report::extent::Extent;
-use crate::report::inspection::table::{alike_forces, decimals, described, metres, radius_text, sentences};
+use crate::report::inspection::table::{
+    alike_forces, counted_and_named_forces, decimals, metres, radius_text, sentences_on_body,
+};
 
 /// A model that was inspected, and the data about it for a page.
 pub struct InspectedModelOnPage<'m> {
@@ -88,7 +90,7 @@ fn table_of_forces(inspected: &Inspection) -> Markup {
     }
     let rows = html! {
         @for group in &groups {
-            tr { th scope="row" { (described(&group.forces, Extent::Brief)) } @for cell in &group.cells { td { (cell) } } }
+            tr { th scope="row" { (counted_and_named_forces(&group.forces, Extent::Brief)) } @for cell in &group.cells { td { (cell) } } }
         }
     };
     let mut caption =
@@ -108,7 +110,7 @@ fn sentences_on_standing(inspected: &Inspection) -> Markup {
         @for body in &inspected.standing {
             p {
                 "Standing" @if several { " of " (body.body) } ": "
-                @for (number, sentence) in sentences(body, Extent::Brief).iter().enumerate() { @if number > 0 { "; " } (sentence) } "."
+                @for (number, sentence) in sentences_on_body(body, Extent::Brief).iter().enumerate() { @if number > 0 { "; " } (sentence) } "."
             }
         }
         @if let Some(why) = &inspected.why_no_standing { p.aside { "Its height over the floor is not known: " (why) "." } }

@@ -9,7 +9,7 @@ use crate::html::fragment::header_cell;
 use crate::html::special_models::ChosenModels;
 use crate::html::{overview, plots};
 
-pub(super) const MODELS: (&str, &str) = ("models", "Models");
+pub(super) const MODELS_SECTION: (&str, &str) = ("models", "Models");
 pub(super) const MODELS_IN_FULL_SECTION: (&str, &str) = ("in-full", "Each model in full");
 
 pub(super) const END_OF_FAILURES: &str = "</tbody></table></div>\n";
@@ -75,7 +75,7 @@ impl Columns {
 
 /// The beginning of the table, before its first row. `left_out` are sentences about models that the page does not show.
 pub(super) fn table_opening(columns: Columns, left_out: &[String]) -> String {
-    let (id, title) = MODELS;
+    let (id, title) = MODELS_SECTION;
     let before = html! {
         h2 id="models-title" { (title) }
         @for text in left_out { p.aside { (text) } }

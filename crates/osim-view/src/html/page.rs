@@ -192,7 +192,7 @@ impl<'d, S: DeferredText> Page<'d, S> {
             Some(_) => sections.extend(&self.sections),
             None => {
                 sections.extend(Some(overview::CHART_OF_INDENTATIONS).filter(|_| self.counts.now.len() > 1));
-                sections.push(models_table::MODELS);
+                sections.push(models_table::MODELS_SECTION);
                 sections.extend(Some(models_table::SECTION_HEAD).filter(|_| !self.chosen.is_empty()));
                 sections
                     .extend(Some(models_table::MODELS_IN_FULL_SECTION).filter(|_| self.shown_in_full > 0));

@@ -41,7 +41,7 @@ impl ModelFacts {
     pub(crate) fn new(figures: &Figures, found: &CheckResult, body: Option<&ContactBody>) -> Self {
         Self {
             mass_kg: figures.mass_kg,
-            indentation: Indentation { now: deepest(figures), ..Indentation::default() },
+            indentation: Indentation { now: largest_indentation(figures), ..Indentation::default() },
             counts: found.counts,
             codes: worst_severities(found),
             contact: body.and_then(contact_text),
@@ -60,7 +60,7 @@ fn worst_severities(found: &CheckResult) -> BTreeMap<FindingCode, Severity> {
 }
 
 /// x̂ of the sphere that sinks in most under the body weight on one limb.
-pub(crate) fn deepest(figures: &Figures) -> Option<f64> {
+pub(crate) fn largest_indentation(figures: &Figures) -> Option<f64> {
     figures.spheres().filter_map(|sphere| sphere.value(Figure::Indentation)).reduce(f64::max)
 }
 
@@ -106,17 +106,17 @@ pub(crate) struct Candidate {
 }
 
 /// The model with the largest or smallest value so far, and the value.
-type BestCandidate = Option<(f64, Rc<Candidate>)>;
+type BestModel = Option<(f64, Rc<Candidate>)>;
 
 /// Models that may be drawn, at most one for each reason. So memory for few models is enough for a page of any size.
 #[derive(Default)]
 pub(crate) struct ChosenModels {
     pub(crate) models: usize,
     most_found: Option<((usize, usize), Rc<Candidate>)>,
-    deepest: BestCandidate,
-    shallowest: BestCandidate,
-    heaviest: BestCandidate,
-    lightest: BestCandidate,
+    deepest: BestModel,
+    shallowest: BestModel,
+    heaviest: BestModel,
+    lightest: BestModel,
     contacts: HashMap<String, (usize, Rc<Candidate>)>,
     findings: BTreeMap<(FindingCode, Severity), (usize, Rc<Candidate>)>,
 }
@@ -208,7 +208,7 @@ impl ChosenModels {
 }
 
 fn replace_if_better(
-    best: &mut BestCandidate,
+    best: &mut BestModel,
     value: Option<f64>,
     one: &Rc<Candidate>,
     better: fn(f64, f64) -> bool,
@@ -223,7 +223,7 @@ fn replace_if_better(
 /// Adds the models with the least and the largest value as chosen, if the two values differ.
 fn add_both_extremes<'c>(
     reasons: &mut Vec<(&'c Candidate, String)>,
-    (highest, lowest): (&'c BestCandidate, &'c BestCandidate),
+    (highest, lowest): (&'c BestModel, &'c BestModel),
     why: impl Fn(f64, bool) -> String,
 ) {
     if let (Some((high, first)), Some((low, last))) = (highest, lowest)

@@ -29,7 +29,7 @@ const MOST_NAMES_LISTED: usize = 3;
 /// The result of a check as text: the worst finding and the commands that correct it; a row for each question without a good answer, and
 /// one row for the others; in full all findings with reasons and advice. The texts of `found` are already in the words of the front end.
 pub fn text(found: &CheckResult, words: &dyn FrontEnd, layout: Layout) -> String {
-    let rows = AnswerRows::of(found);
+    let rows = VerdictRows::of(found);
     let is_full = layout.extent.is_full();
     let mut text = wrapped_with_path(&found.model, &headline(found, &rows), "  ", layout.width());
     text.push_str(&command_lines(&found.commands, words));
@@ -76,13 +76,13 @@ pub(super) fn beside_real_feet(sentences: &[String], layout: Layout) -> String {
 }
 
 /// A question whose answer is not good, or a finding that answers no question.
-struct AnswerRow<'c> {
+struct VerdictRow<'c> {
     sign: Sign,
     on: &'c str,
     text: String,
 }
 
-impl AnswerRow<'_> {
+impl VerdictRow<'_> {
     fn text(&self, layout: Layout) -> String {
         let word = self.sign.as_str();
         let text = format!("{word:<8} {:<8} {}", self.on, self.text);
@@ -91,16 +91,16 @@ impl AnswerRow<'_> {
 }
 
 /// The answers to all questions, sorted; the worst first.
-struct AnswerRows<'c> {
-    bad: Vec<AnswerRow<'c>>,
+struct VerdictRows<'c> {
+    bad: Vec<VerdictRow<'c>>,
     /// Questions of the table, such as "does it stand?", whose answer is not known, by the reason.
     unknown: BTreeMap<String, Vec<&'c str>>,
-    good: Vec<AnswerRow<'c>>,
+    good: Vec<VerdictRow<'c>>,
     /// Questions all of whose findings the known contacts were published with.
     published: Vec<&'c str>,
 }
 
-impl<'c> AnswerRows<'c> {
+impl<'c> VerdictRows<'c> {
     fn of(found: &'c CheckResult) -> Self {
         let mut rows =
             Self { bad: Vec::new(), unknown: BTreeMap::new(), good: Vec::new(), published: Vec::new() };
@@ -111,9 +111,9 @@ impl<'c> AnswerRows<'c> {
             if about().next().is_some() && about().all(is_as_published) {
                 rows.published.push(on);
                 let text = format!("as published: {text}");
-                rows.good.push(AnswerRow { sign: Sign::Good, on, text });
+                rows.good.push(VerdictRow { sign: Sign::Good, on, text });
             } else if verdict.sign == Sign::Good {
-                rows.good.push(AnswerRow { sign: Sign::Good, on, text });
+                rows.good.push(VerdictRow { sign: Sign::Good, on, text });
             } else if verdict.sign == Sign::Unknown {
                 rows.unknown.entry(text).or_default().push(on);
             } else {
@@ -125,7 +125,7 @@ impl<'c> AnswerRows<'c> {
                     Some(own) => (own.severity.into(), own.message.to_string(), own.place.as_deref()),
                     None => (verdict.sign, text, verdict.place.as_deref()),
                 };
-                rows.bad.push(AnswerRow { sign, on, text: row_text(text, place, &findings) });
+                rows.bad.push(VerdictRow { sign, on, text: row_text(text, place, &findings) });
             }
         }
         let files = found.findings.iter().filter(|finding| finding.rule.verdict.is_none());
@@ -137,7 +137,7 @@ impl<'c> AnswerRows<'c> {
             for findings in rows_of_rule {
                 let Some(first) = findings.first() else { continue };
                 let text = row_text(first.message.to_string(), first.place.as_deref(), findings);
-                rows.bad.push(AnswerRow { sign: first.severity.into(), on: ROW_OF_FILE, text });
+                rows.bad.push(VerdictRow { sign: first.severity.into(), on: ROW_OF_FILE, text });
             }
         }
         rows.bad.sort_by_key(|row| match row.sign {
@@ -191,7 +191,7 @@ fn is_as_published(finding: &FindingWithRemedy) -> bool {
 }
 
 /// The first line of the text: the counts of findings and the effect of the commands, or that nothing is wrong.
-fn headline(found: &CheckResult, rows: &AnswerRows<'_>) -> String {
+fn headline(found: &CheckResult, rows: &VerdictRows<'_>) -> String {
     let known = found.findings.iter().find(|finding| finding.code() == FindingCode::KnownContacts);
     let known = known.map(|known| format!("; {}", known.message)).unwrap_or_default();
     let Counts { error, warning, .. } = found.counts;

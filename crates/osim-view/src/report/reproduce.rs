@@ -37,7 +37,7 @@ records! {
         mass_kg: f64 = animal.scale().mass_kg(),
         /// Number n of spheres that share the animal's weight.
         sphere_count: f64 = animal.scale().sphere_count(),
-        /// Radius of the animal's spheres, m.
+        /// Radius of the contact spheres of the animal, m.
         radius_m: f64 = animal.scale().radius_m(),
         /// The numbers in the animal's row of the table.
         values: Vec<NumberRecord> = values,
@@ -103,7 +103,7 @@ impl ReproductionRecord {
 // The comparison for people and for spreadsheets.
 
 /// Number of digits that are shown beyond the digits of the paper.
-const MORE_DIGITS: usize = 3;
+const DIGITS_BEYOND_PAPER: usize = 3;
 /// The columns of a terminal that Table 1 needs with its absolute differences.
 const LEAST_COLUMNS_OF_TABLE: usize = 72;
 
@@ -184,7 +184,8 @@ fn heading_of_animal(animal: &AnimalRecord) -> String {
 }
 
 fn cells_of_number(number: &NumberRecord, is_narrow: bool) -> Vec<String> {
-    let decimals = number.printed.split_once('.').map_or(0, |(_, decimals)| decimals.len()) + MORE_DIGITS;
+    let decimals =
+        number.printed.split_once('.').map_or(0, |(_, decimals)| decimals.len()) + DIGITS_BEYOND_PAPER;
     let unit = if number.unit.is_empty() { String::new() } else { format!(", {}", number.unit) };
     vec![
         format!(" {}{unit}", number.label),

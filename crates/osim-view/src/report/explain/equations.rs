@@ -9,12 +9,12 @@ use osim_model::messages::Phrase;
 /// Texts may name inputs and calls in backticks, as
 /// [`Phrase::template`](osim_model::messages::Phrase::template) reads them.
 pub fn equations() -> impl Iterator<Item = &'static Equation> {
-    contact_scaling::equations::all().chain(RULES)
+    contact_scaling::equations::all().chain(EQUATIONS_OF_PROJECT)
 }
 
 /// The equation or rule with this name, such as `10`, `C.5` or `given`.
 pub fn equation(name: &str) -> Option<&'static Equation> {
-    let rule = || RULES.iter().find(|rule| rule.label.eq_ignore_ascii_case(name));
+    let rule = || EQUATIONS_OF_PROJECT.iter().find(|rule| rule.label.eq_ignore_ascii_case(name));
     contact_scaling::equations::find(name).or_else(rule)
 }
 
@@ -28,11 +28,11 @@ const fn symbol(symbol: &'static str, meaning: &'static str, unit: &'static str)
     Symbol { symbol, meaning, unit }
 }
 
-const R_A: Symbol = symbol("R_a", "radius of the sphere before, or in the generic model", "m");
-const R_B: Symbol = symbol("R_b", "radius of the sphere to be written", "m");
+const RADIUS_BEFORE: Symbol = symbol("R_a", "radius of the sphere before, or in the generic model", "m");
+const RADIUS_WRITTEN: Symbol = symbol("R_b", "radius of the sphere to be written", "m");
 
 /// Rules of this project, by the word that is printed in place of an equation's number. Names of inputs are in backquotes.
-const RULES: &[Equation] = &[
+const EQUATIONS_OF_PROJECT: &[Equation] = &[
     Equation {
         label: "given",
         aliases: &[],
@@ -50,8 +50,8 @@ const RULES: &[Equation] = &[
             Form { variant: "centre", ..rule("new centre = (s_x x, s_y y, s_z z)") },
         ],
         symbols: &[
-            R_B,
-            R_A,
+            RADIUS_WRITTEN,
+            RADIUS_BEFORE,
             symbol("s_x", "scale factor of the body along its axis x, likewise s_y and s_z", "1"),
             symbol("x", "location of the centre along the body's axis x, likewise y and z", "m"),
         ],
@@ -66,8 +66,8 @@ const RULES: &[Equation] = &[
             Form { variant: "set, add", ..rule("new centre = centre − (h − h_min) n") },
         ],
         symbols: &[
-            R_B,
-            R_A,
+            RADIUS_WRITTEN,
+            RADIUS_BEFORE,
             symbol("up", "the axis of the sphere's frame that points up (`level_axis`)", "1"),
             symbol(
                 "h",

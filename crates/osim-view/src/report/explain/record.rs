@@ -49,7 +49,7 @@ pub enum TopicRecord {
         symbols: &'static [&'static str],
         /// Unit of the quantity; empty for a pure number.
         unit: &'static str,
-        /// Number of the equation in the paper; empty where there is none.
+        /// Number that the paper gives the equation of the quantity; empty where the paper has none.
         equation: &'static str,
         /// Limit of the quantity in words; null where it has none.
         limit: Option<String>,

@@ -80,29 +80,29 @@ fn topics_called(name: &str) -> Vec<Topic> {
     let warning = rules::all().iter().copied().find(|rule| is_code(rule.code.as_str())).map(Topic::Finding);
     let error = errors().find(|known| is_code(known.code)).map(Topic::Error);
     let topics: Vec<Topic> = [equation, quantity, warning, error].into_iter().flatten().collect();
-    if topics.is_empty() && is_kind_of_questions(name) { questions() } else { topics }
+    if topics.is_empty() && is_name_of_question_errors(name) { topics_of_question_errors() } else { topics }
 }
 
 /// Whether `name` is Python's name of all errors that ask the user something, `NeedsAnswer`.
-fn is_kind_of_questions(name: &str) -> bool {
+fn is_name_of_question_errors(name: &str) -> bool {
     name.trim_ascii().to_lowercase().replace(['-', '_', ' '], "") == "needsanswer"
 }
 
 /// The topics of errors that ask the user a question.
-fn questions() -> Vec<Topic> {
+fn topics_of_question_errors() -> Vec<Topic> {
     let asks = |error: &&ErrorCode| YesQuestion::ALL.iter().any(|question| question.as_str() == error.code);
     errors().filter(asks).map(Topic::Error).collect()
 }
 
 /// A topic is proposed if the likeness of its name to the given name is at least this; equal names have 1.
-const MIN_LIKENESS: f64 = 0.7;
+const LEAST_LIKENESS: f64 = 0.7;
 
 /// If a given name has at least this many letters, longer names that contain it are proposed. A shorter name is contained in too many
 /// names.
-const MIN_LETTERS: usize = 5;
+const LEAST_LETTERS_OF_PART: usize = 5;
 
 /// The largest number of names that are proposed because they contain the given name.
-const MAX_PROPOSED: usize = 2;
+const MOST_PROPOSED_NAMES: usize = 2;
 
 impl UnknownTopic {
     fn new(name: &str) -> Self {
@@ -110,11 +110,11 @@ impl UnknownTopic {
         let likeness = |topic: &str| strsim::normalized_damerau_levenshtein(name, topic);
         let nearest = topics.iter().copied().max_by(|a, b| likeness(a).total_cmp(&likeness(b)));
         let mut similar_names: Vec<&'static str> =
-            nearest.into_iter().filter(|topic| likeness(topic) >= MIN_LIKENESS).collect();
-        if similar_names.is_empty() && name.len() >= MIN_LETTERS {
+            nearest.into_iter().filter(|topic| likeness(topic) >= LEAST_LIKENESS).collect();
+        if similar_names.is_empty() && name.len() >= LEAST_LETTERS_OF_PART {
             similar_names = topics.into_iter().filter(|topic| topic.contains(name)).collect();
             similar_names.dedup();
-            similar_names.truncate(MAX_PROPOSED);
+            similar_names.truncate(MOST_PROPOSED_NAMES);
         }
         Self { name: name.to_owned(), similar_names }
     }
@@ -143,7 +143,7 @@ pub struct QuantityTopic {
     pub symbols: &'static [&'static str],
     /// Unit of the quantity; empty for a pure number.
     pub unit: &'static str,
-    /// Number of the equation in the paper; empty where there is none.
+    /// Number that the paper gives the equation of the quantity; empty where the paper has none.
     pub equation: &'static str,
     /// Limit of the quantity in words, where it has one.
     pub limit: Option<String>,

@@ -24,7 +24,7 @@ named! {
 }
 
 /// The columns that are left out on a narrow terminal, in this order.
-const LEFT_OUT: [Column; 5] =
+const COLUMNS_LEFT_OUT: [Column; 5] =
     [Column::Restitution, Column::Radius, Column::Class, Column::Stiffness, Column::Spheres];
 
 /// The width in columns that long names of models keep at least.
@@ -72,17 +72,20 @@ impl Column {
             Self::Spheres => format!("{} of {}", sharing_spheres(inspected), inspected.spheres.len()),
             Self::Class => class_of_forces(inspected).to_owned(),
             Self::Stiffness => {
-                let values = chosen(inspected).filter_map(|force| force.parameters.get(Property::Stiffness));
-                range(values, powers_of_ten)
+                let values =
+                    chosen_forces(inspected).filter_map(|force| force.parameters.get(Property::Stiffness));
+                range_in_words(values, powers_of_ten)
             }
-            Self::Radius => range(
+            Self::Radius => range_in_words(
                 sphere_figures(inspected).filter_map(|sphere| sphere.value(Figure::Radius)),
                 four_significant,
             ),
             Self::Indentation => {
                 worst_in_words(sphere_figures(inspected).filter_map(indentation_at_rest), f64::max)
             }
-            Self::Restitution => worst_in_words(sphere_figures(inspected).filter_map(restitution), f64::min),
+            Self::Restitution => {
+                worst_in_words(sphere_figures(inspected).filter_map(judged_restitution), f64::min)
+            }
             Self::Findings => findings_in_words(inspected, counts),
         }
     }
@@ -139,7 +142,7 @@ impl ModelsTable {
         };
         format!(
             "{folder}{table}\n{}{}",
-            legend(&columns, dialect, names_full, width.unwrap_or(WIDTH)),
+            legend_of_columns(&columns, dialect, names_full, width.unwrap_or(WIDTH)),
             self.counted_models()
         )
     }
@@ -169,7 +172,7 @@ impl ModelsTable {
             let taken: usize = columns.iter().map(|&column| self.width(column) + COLUMN_GAP).sum();
             width.saturating_sub(taken + COLUMN_GAP)
         };
-        for left_out in LEFT_OUT {
+        for left_out in COLUMNS_LEFT_OUT {
             if room(&columns) >= wanted {
                 break;
             }
@@ -207,13 +210,16 @@ fn folder_of(name: &str) -> &str {
 }
 
 /// A legend: the meanings of the headings, the columns that are left out, and the commands that show more.
-fn legend(columns: &[Column], dialect: &dyn Dialect, names_full: bool, width: usize) -> String {
+fn legend_of_columns(columns: &[Column], dialect: &dyn Dialect, names_full: bool, width: usize) -> String {
     let meanings = columns.iter().map(|column| column.meaning()).filter(|meaning| !meaning.is_empty());
     let meanings: Vec<&str> = meanings.collect();
     let mut text =
         wrapped(&format!("({}; {OUTSIDE_MARK}: outside the limit)", meanings.join("; ")), " ", width);
-    let left_out: Vec<&str> =
-        LEFT_OUT.iter().filter(|column| !columns.contains(column)).map(|column| column.as_str()).collect();
+    let left_out: Vec<&str> = COLUMNS_LEFT_OUT
+        .iter()
+        .filter(|column| !columns.contains(column))
+        .map(|column| column.as_str())
+        .collect();
     if !left_out.is_empty() {
         let left_out = format!(
             "(left out for want of room: {}; a wider terminal or a file has all)",
@@ -235,13 +241,14 @@ fn sphere_figures(inspected: &Inspection) -> impl Iterator<Item = &SphereFigures
 }
 
 /// The forces that OpenSim computes and that a change would change.
-fn chosen(inspected: &Inspection) -> impl Iterator<Item = &InspectedForce> {
+fn chosen_forces(inspected: &Inspection) -> impl Iterator<Item = &InspectedForce> {
     inspected.forces.iter().filter(|force| force.applies && force.selected)
 }
 
 /// The number n of spheres that share the weight, if it is known; if limbs differ, the smallest and the largest n.
 fn sharing_spheres(inspected: &Inspection) -> String {
-    let text = range(inspected.figures.limbs.iter().filter_map(|limb| limb.sphere_count), four_significant);
+    let text =
+        range_in_words(inspected.figures.limbs.iter().filter_map(|limb| limb.sphere_count), four_significant);
     if text == MISSING_VALUE { "?".to_owned() } else { text }
 }
 
@@ -250,7 +257,7 @@ const MISSING_VALUE: &str = "-";
 
 fn class_of_forces(inspected: &Inspection) -> &'static str {
     let is_smooth = |force: &InspectedForce| force.parameters.get(Property::HertzSmoothing).is_some();
-    match (chosen(inspected).any(is_smooth), chosen(inspected).any(|force| !is_smooth(force))) {
+    match (chosen_forces(inspected).any(is_smooth), chosen_forces(inspected).any(|force| !is_smooth(force))) {
         (true, true) => "both",
         (true, false) => "smooth",
         (false, true) => "HuntCrossley",
@@ -273,7 +280,7 @@ fn indentation_at_rest(sphere: &SphereFigures) -> Option<JudgedFigure> {
 
 /// The restitution by the contact law itself, judged by the limit that the paper gives with (13), so that the mark is about the number
 /// beside it.
-fn restitution(sphere: &SphereFigures) -> Option<JudgedFigure> {
+fn judged_restitution(sphere: &SphereFigures) -> Option<JudgedFigure> {
     let value = sphere.value(Figure::RestitutionExact)?;
     let limit = Figure::RestitutionApproximate.info().limit;
     Some(JudgedFigure { value, within: limit.is_none_or(|limit| limit.admits(value)) })
@@ -286,7 +293,7 @@ fn powers_of_ten(value: f64) -> String {
 }
 
 /// The value, or the smallest and the largest if there are several.
-fn range(values: impl Iterator<Item = f64>, written: fn(f64) -> String) -> String {
+fn range_in_words(values: impl Iterator<Item = f64>, written: fn(f64) -> String) -> String {
     let ends = values.fold(None, |ends: Option<(f64, f64)>, value| match ends {
         Some((low, high)) => Some((low.min(value), high.max(value))),
         None => Some((value, value)),

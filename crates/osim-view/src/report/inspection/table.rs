@@ -127,7 +127,9 @@ fn table_of_forces(inspected: &Inspection, layout: Layout) -> String {
     let mut legend = String::new();
     for (index, group) in groups.into_iter().enumerate() {
         let label = format!("F{}", index + 1);
-        legend.push_str(&layout.wrapped(&format!("{label}  {}", described(&group.forces, extent)), "    "));
+        legend.push_str(
+            &layout.wrapped(&format!("{label}  {}", counted_and_named_forces(&group.forces, extent)), "    "),
+        );
         table.add_row([vec![label], group.cells].concat());
     }
     table.right_aligned(&[1, 2, 3, 4, 5, 6, 7, 8]);
@@ -147,7 +149,7 @@ fn sentences_on_standing(inspected: &Inspection, layout: Layout) -> String {
     for body in &inspected.standing {
         let which = if several { format!(" of {}", shown(&body.body)) } else { String::new() };
         text.push_str(&format!("\nStanding{which}:\n"));
-        for sentence in sentences(body, layout.extent) {
+        for sentence in sentences_on_body(body, layout.extent) {
             text.push_str(&layout.wrapped(&format!("  {sentence}"), "    "));
         }
     }
@@ -179,7 +181,7 @@ fn body_factors(inspected: &Inspection, layout: Layout) -> String {
 const MOST_SPHERES_NAMED: usize = 6;
 
 /// Sentences about a body: its height at the default pose, and the equilibria on all its feet and on one limb.
-pub fn sentences(body: &StandingBody, extent: Extent) -> Vec<String> {
+pub fn sentences_on_body(body: &StandingBody, extent: Extent) -> Vec<String> {
     let Some((lowest, place)) = body.lowest().zip(body.height_in_words()) else {
         return vec!["the height of its spheres over a floor is not known".to_owned()];
     };
@@ -189,9 +191,10 @@ pub fn sentences(body: &StandingBody, extent: Extent) -> Vec<String> {
         sentence.push_str(&format!("; no coordinate brings the body to the floor: {why}"));
     }
     let mut sentences = vec![sentence];
-    let rests = [("on all feet", body.as_posed.as_ref()), ("on one limb", other_than_all(body))];
+    let rests =
+        [("on all feet", body.as_posed.as_ref()), ("on one limb", rest_on_one_limb_if_different(body))];
     let known = rests.into_iter().filter_map(|(how, rest)| Some((how, rest?)));
-    sentences.extend(known.map(|(how, rest)| on_feet(body, how, rest, extent)));
+    sentences.extend(known.map(|(how, rest)| sentence_on_rest(body, how, rest, extent)));
     if body.as_posed.is_none() {
         let why = match body.weight_n {
             None => "a mass or gravity is missing",
@@ -203,23 +206,26 @@ pub fn sentences(body: &StandingBody, extent: Extent) -> Vec<String> {
 }
 
 /// The equilibrium of the body on one limb, if it differs from the equilibrium on all limbs.
-fn other_than_all(body: &StandingBody) -> Option<&BodyAtRest> {
+fn rest_on_one_limb_if_different(body: &StandingBody) -> Option<&BodyAtRest> {
     let (one, all) = (body.on_one_limb.as_ref()?, body.as_posed.as_ref()?);
     (one.spheres != all.spheres).then_some(one)
 }
 
-fn on_feet(body: &StandingBody, how: &str, rest: &BodyAtRest, extent: Extent) -> String {
+fn sentence_on_rest(body: &StandingBody, how: &str, rest: &BodyAtRest, extent: Extent) -> String {
     let limb = rest.limb.as_deref().map(|limb| format!(", {}", shown(limb))).unwrap_or_default();
     let load = extent.number(rest.load_n, four_significant);
     if !rest.carried {
-        return format!("{how}{limb}: its spheres cannot carry the {load} N; {}", depths(rest, extent));
+        return format!(
+            "{how}{limb}: its spheres cannot carry the {load} N; {}",
+            depths_in_words(rest, extent)
+        );
     }
     let place = body.coordinate_at_rest(rest).map(|set| format!(" with {set}")).unwrap_or_default();
-    format!("{how}{limb}: carries {load} N{place}; {}", depths(rest, extent))
+    format!("{how}{limb}: carries {load} N{place}; {}", depths_in_words(rest, extent))
 }
 
 /// The spheres that touch the floor, and how deep each is.
-fn depths(rest: &BodyAtRest, extent: Extent) -> String {
+fn depths_in_words(rest: &BodyAtRest, extent: Extent) -> String {
     let touching: Vec<&StandingSphere> = rest.touching().collect();
     let deep = |one: &StandingSphere| extent.number(one.relative_indentation, three_significant);
     let least = touching
@@ -280,7 +286,7 @@ pub fn has_default(force: &InspectedForce) -> bool {
 }
 
 /// The number of forces of each class, and the names of the forces.
-pub fn described(members: &[&InspectedForce], extent: Extent) -> String {
+pub fn counted_and_named_forces(members: &[&InspectedForce], extent: Extent) -> String {
     const MOST_NOTE_STEPS: usize = 6;
     let Some(first) = members.first() else { return String::new() };
     let name = |force: &&InspectedForce| match force.set {

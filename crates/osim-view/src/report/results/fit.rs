@@ -19,7 +19,7 @@ pub fn fit_text(result: &FitResult, dialect: &dyn Dialect, columns: Option<usize
         fit.rows.len(),
         readable(result.sphere_count),
         readable(result.radius_m),
-        parameters(fit, columns)
+        table_of_parameters(fit, columns)
     );
     text.push_str(&format!(
         "R squared {:.6}; residuals have a standard deviation of {} N\n",
@@ -37,7 +37,7 @@ pub fn fit_text(result: &FitResult, dialect: &dyn Dialect, columns: Option<usize
             phrase!["that is more than the whole radius: is ", Input::IndentationUnit, " right?\n"];
         text.push_str(&question.spelled(dialect));
     }
-    text.push_str(&restitution(fit));
+    text.push_str(&restitution_in_words(fit));
     for doubt in &fit.doubts {
         text.push_str(&format!("warning: {} [{}]\n", doubt_in_words(doubt), doubt.code()));
     }
@@ -69,7 +69,7 @@ pub(super) fn doubt_in_words(doubt: &Doubt) -> String {
 }
 
 /// A bound of a confidence interval, in words; the bound may be unknown.
-fn bound(value: f64) -> String {
+fn bound_in_words(value: f64) -> String {
     if value.is_nan() { "not known".to_owned() } else { four_significant(value) }
 }
 
@@ -77,11 +77,17 @@ pub(super) fn within_or_outside(within: bool) -> &'static str {
     if within { "within" } else { "outside" }
 }
 
-fn parameters(fit: &Fit, columns: Option<usize>) -> String {
+fn table_of_parameters(fit: &Fit, columns: Option<usize>) -> String {
     let mut table = table(&["parameter", "value", "95 % from", "to", "unit", "equation"]);
     let mut row = |name: &str, value: &Estimate, unit: &str, equation: &str| {
-        let cells =
-            [name, &four_significant(value.value), &bound(value.low), &bound(value.high), unit, equation];
+        let cells = [
+            name,
+            &four_significant(value.value),
+            &bound_in_words(value.low),
+            &bound_in_words(value.high),
+            unit,
+            equation,
+        ];
         table.add_row(cells.map(str::to_owned).to_vec());
     };
     row("E* (composite)", &fit.composite_modulus, "N/m2", "(1)");
@@ -96,7 +102,7 @@ fn parameters(fit: &Fit, columns: Option<usize>) -> String {
     table.fitted(columns.unwrap_or(usize::MAX))
 }
 
-fn restitution(fit: &Fit) -> String {
+fn restitution_in_words(fit: &Fit) -> String {
     match (fit.restitution, fit.within_hunt_crossley_limit, fit.largest_speed_m_s) {
         (Some(restitution), Some(within), Some(speed)) => format!(
             "restitution by (13) at the largest speed ({} m/s) {restitution:.4}: {} the limit of the Hunt-Crossley law ({})\n",

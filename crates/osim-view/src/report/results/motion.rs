@@ -50,9 +50,9 @@ pub fn motion_text(
         ));
         text.push('\n');
     }
-    text.push_str(&feet(result, columns));
+    text.push_str(&table_of_feet(result, columns));
     text.push('\n');
-    text.push_str(&spheres(result, columns));
+    text.push_str(&table_of_spheres(result, columns));
     text.push('\n');
     for sentence in [stress_in_words(result), loss_in_words(result)].into_iter().flatten() {
         text.push_str(&wrapped(&sentence, "", columns.unwrap_or(WIDTH)));
@@ -85,7 +85,7 @@ fn loss_in_words(result: &MotionResult) -> Option<String> {
         .then(|| format!("energy lost by contacts and friction in a stride: {}", lost.join(", ")))
 }
 
-fn feet(result: &MotionResult, columns: Option<usize>) -> String {
+fn table_of_feet(result: &MotionResult, columns: Option<usize>) -> String {
     let (headings, rows) = motion_feet(result);
     let mut all = table(&headings);
     for row in rows {
@@ -128,7 +128,7 @@ pub(crate) fn motion_feet(result: &MotionResult) -> (Vec<&'static str>, Vec<Vec<
     (columns, rows)
 }
 
-fn spheres(result: &MotionResult, columns: Option<usize>) -> String {
+fn table_of_spheres(result: &MotionResult, columns: Option<usize>) -> String {
     let mut all = table(&[
         "sphere",
         "peak, N",
@@ -364,7 +364,7 @@ fn reactions_sto(
     let columns = labels.iter().flat_map(of_label);
     let columns = columns.flat_map(|columns| ["x", "y", "z"].map(|axis| format!("{columns}{axis}")));
     let mut points = vec![None; labels.len()];
-    storage(name, "", &columns.collect::<Vec<_>>(), time_s, |frame| {
+    storage_file_text(name, "", &columns.collect::<Vec<_>>(), time_s, |frame| {
         let mut row = Vec::new();
         for (load, last) in points.iter_mut().enumerate() {
             let (wrench, point) = reaction(load, frame);
@@ -378,7 +378,7 @@ fn reactions_sto(
 }
 
 /// The text of a `.sto` file; `about` is a line of its header, or empty.
-pub(super) fn storage(
+pub(super) fn storage_file_text(
     name: &str,
     about: &str,
     columns: &[String],
@@ -431,12 +431,12 @@ pub(super) fn corrected_motion(result: &MotionResult, correction: &Correction, n
          evidence that the contacts are right\n",
         shown(&result.opened.name().to_string()),
         1e3 * figures.lift_p95_m,
-        figures.worst(|foot| foot.joint_rms_rad).to_degrees(),
+        figures.largest_of_feet(|foot| foot.joint_rms_rad).to_degrees(),
         1e3 * correction.floor_up_m
     );
     let recording = &correction.recording;
     let columns = recording.coordinates.iter().map(|coordinate| coordinate.name.clone());
-    storage(name, &about, &columns.collect::<Vec<_>>(), &recording.time_s, |frame| {
+    storage_file_text(name, &about, &columns.collect::<Vec<_>>(), &recording.time_s, |frame| {
         recording.values(frame).to_vec()
     })
 }

@@ -77,7 +77,7 @@ records! {
         /// The 95th percentile of the size of these moves, m.
         lift_p95_m: Option<f64> = correction.map(|one| one.figures.lift_p95_m),
         /// The largest correction of an angle of a leg in stance (rms), without toes, rad.
-        joint_rms_rad: Option<f64> = correction.map(|one| one.figures.worst(|foot| foot.joint_rms_rad)),
+        joint_rms_rad: Option<f64> = correction.map(|one| one.figures.largest_of_feet(|foot| foot.joint_rms_rad)),
         /// How much more the left foot is lifted than the right, m.
         left_minus_right_m: Option<f64> = correction.and_then(left_minus_right_m),
         /// Largest x/R after the correction.

@@ -5,7 +5,7 @@ use std::fmt::Display;
 use osim_model::{ForceKind, Model, moving_spheres};
 use osim_planning::{MocoStart, MotionResult};
 
-use super::motion::{corrected_motion, moved_plates_xml, plates_sto, storage};
+use super::motion::{corrected_motion, moved_plates_xml, plates_sto, storage_file_text};
 
 /// The script with a placeholder for the feet and the times.
 const SCRIPT: &str = include_str!("track.py");
@@ -68,7 +68,7 @@ pub fn nmsm_files(result: &MotionResult) -> Vec<Vec<u8>> {
     let recording = &result.recording;
     let columns: Vec<String> =
         recording.coordinates.iter().map(|coordinate| coordinate.name.clone()).collect();
-    let motion = storage("motion.sto", "", &columns, &recording.time_s[known.clone()], |row| {
+    let motion = storage_file_text("motion.sto", "", &columns, &recording.time_s[known.clone()], |row| {
         recording.values(known.start + row).to_vec()
     });
     vec![
