@@ -11,7 +11,7 @@ use osim_model::files::Files;
 use osim_model::messages::{Phrase, four_significant, readable, shown, three_significant};
 use osim_model::rule;
 use osim_model::{
-    Anatomy, Example, Finding, FindingCode, Model, Repair, Rule, loaded_spheres_alone, root_mean_square,
+    Anatomy, Example, Finding, FindingCode, Model, Repair, Rule, loaded_round_spheres, root_mean_square,
 };
 use osim_patch::forms_of_dissipation;
 
@@ -201,7 +201,7 @@ rule! { DISSIPATION_FORMS: DissipationForms, Remark, Mass;
 
 /// The root mean square of the radii of a model's contacts, m, and the dissipation of the first, s/m.
 pub(crate) fn radius_and_dissipation(model: &Model) -> Option<[f64; 2]> {
-    let loaded = loaded_spheres_alone(model, &model.force_ids()).ok()?;
+    let loaded = loaded_round_spheres(model, &model.force_ids()).ok()?;
     let radius_m = root_mean_square(loaded.iter().map(|sphere| sphere.radius_m));
     Some([radius_m, loaded.first()?.contact.dissipation()])
 }

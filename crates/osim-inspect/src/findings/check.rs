@@ -292,7 +292,8 @@ fn suspicions_about_rescaling(
 ) -> Vec<Suspicion> {
     let target_mass_kg = request.target_mass.map(Kilograms::get);
     let contacts_mass_kg = request.masses.contacts_mass.map(Kilograms::get);
-    let masses = MassRequest { contacts_mass_kg, target_mass_kg, ..with_mass(&request.masses, masses) };
+    let masses =
+        MassRequest { contacts_mass_kg, target_mass_kg, ..masses_of_remedy(&request.masses, masses) };
     let mut questions = suspicions_about_masses(&masses, model, &request.choice);
     if let (Some(contacts_mass_kg), Some(target_mass_kg)) = (contacts_mass_kg, target_mass_kg) {
         let distances = model.joint_distances();

@@ -10,5 +10,5 @@ pub use curves::{
     DropSeries, ForceSeries, LoopSeries, bodies_and_kinds, contact_state, curve_name, default_duration,
     default_range, drop_force, force, force_at_rest, hysteresis, impact_speed, run_drop_test, thresholds,
 };
-pub use heat::{HeatRequest, HeatSeries, Parameter, Profile, heat};
+pub use heat::{HeatParameter, HeatRequest, HeatSeries, Profile, heat};
 pub use sampling::{ForceUnit, IndentationUnit, PlotUnits, Point};

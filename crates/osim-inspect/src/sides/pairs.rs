@@ -124,7 +124,7 @@ impl<'m> UnpairedOfBodies<'m> {
 
     fn take_within(&mut self, within_m: f64) -> Vec<(SideSphere<'m>, SideSphere<'m>)> {
         let images: Option<Vec<_>> =
-            self.right.iter().map(|placed| self.pair.images(placed.place_m)).collect();
+            self.right.iter().map(|placed| self.pair.mirror_images(placed.place_m)).collect();
         let Some(images) = images else { return Vec::new() };
         let others: Vec<DVec3> = self.left.iter().map(|placed| placed.place_m).collect();
         let pairs = pair_nearest(&images, &others, within_m);

@@ -45,7 +45,7 @@ mod sole_pose;
 mod standing;
 
 pub use bones::{AttachedBones, Bone, MeshFolders, OddMesh, attached_surface, bones, odd_meshes, odd_size};
-pub use contact_planes::{ContactPlane, PairsOfForce, PlaneSurface, STEEPEST_FLOOR_RAD, angle};
+pub use contact_planes::{ContactPlane, PairsOfForce, PlaneSurface, STEEPEST_FLOOR_RAD, angle_between};
 pub use couplers::{Coupler, Couplers, prescribed_function};
 pub use default_pose::{DefaultPose, JointStep, joints_from_ground};
 pub use fault::{FeetFault, PoseFault};

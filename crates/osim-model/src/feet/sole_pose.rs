@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::contact_planes::angle;
+use super::contact_planes::angle_between;
 use super::couplers::CoordinateValues;
 use super::default_pose::DefaultPose;
 use super::sole::Sole;
@@ -141,8 +141,9 @@ impl Sole {
             seen(own, there, outwards, -outwards)
         });
         let seen: Vec<_> = up.chain(across).collect();
-        let apart =
-            |mirror: DVec3| seen.iter().map(|(own, there)| angle(*own, mirror * *there)).fold(0.0, f64::max);
+        let apart = |mirror: DVec3| {
+            seen.iter().map(|(own, there)| angle_between(*own, mirror * *there)).fold(0.0, f64::max)
+        };
         (!seen.is_empty()).then(|| MIRROR_FACTORS.into_iter().map(apart).fold(f64::INFINITY, f64::min))
     }
 }

@@ -4,7 +4,7 @@
 use std::collections::{BTreeSet, HashSet};
 
 use osim_inspect::StandingBody;
-use osim_model::feet::{Movements, Sole, angle};
+use osim_model::feet::{Movements, Sole, angle_between};
 use osim_model::messages::{Input, Phrase, four_significant, phrase, readable, shown};
 use osim_model::{
     Anatomy, BoneLengths, DVec3, Force, ForceId, Model, Side, Suspicion, YesQuestion, probable_units,
@@ -141,7 +141,7 @@ pub(crate) fn remark_on_leaning_planes(base: &Model, rebuilt: &RebuiltModel) -> 
         .ground_planes()
         .into_iter()
         .filter_map(|plane| {
-            let degrees = angle(plane.normal, up).to_degrees();
+            let degrees = angle_between(plane.normal, up).to_degrees();
             (degrees <= LEVEL_TOLERANCE_DEG)
                 .then(|| format!("{} (by {} degrees)", plane.name, readable(degrees)))
         })

@@ -18,7 +18,7 @@ use crate::report::similarity;
 /// Columns of a terminal before the words of a row.
 const ROW_INDENT: usize = 18;
 
-/// The word in the place of a question, in rows of findings that answer none of the questions.
+/// The word in the place of a topic, in rows of findings that belong to no topic.
 const ROW_OF_FILE: &str = "file";
 
 /// The largest number of models, and of findings of one rule, that are named. If there are more, the text has their number.
@@ -26,7 +26,7 @@ const MOST_NAMES_LISTED: usize = 3;
 
 // Findings of one model, for people.
 
-/// The result of a check as text: the worst finding and the commands that correct it; a row for each question without a good answer, and
+/// The result of a check as text: the worst finding and the commands that correct it; a row for each topic without a good verdict, and
 /// one row for the others; in full all findings with reasons and advice. The texts of `found` are already in the words of the front end.
 pub fn text(found: &CheckResult, words: &dyn FrontEnd, layout: Layout) -> String {
     let rows = VerdictRows::of(found);
@@ -75,7 +75,7 @@ pub(super) fn beside_real_feet(sentences: &[String], layout: Layout) -> String {
     if lines.is_empty() { lines } else { format!("\nBeside measured feet:\n{lines}") }
 }
 
-/// A question whose answer is not good, or a finding that answers no question.
+/// A topic whose verdict is not good, or a finding that belongs to no topic.
 struct VerdictRow<'c> {
     sign: Sign,
     on: &'c str,
@@ -90,7 +90,7 @@ impl VerdictRow<'_> {
     }
 }
 
-/// The answers to all questions, sorted; the worst first.
+/// The verdicts on all topics, sorted; the worst first.
 struct VerdictRows<'c> {
     bad: Vec<VerdictRow<'c>>,
     /// Questions of the table, such as "does it stand?", whose answer is not known, by the reason.
@@ -148,7 +148,7 @@ impl<'c> VerdictRows<'c> {
         rows
     }
 
-    /// One row of the table with all questions whose answer is good; `None` if there are none.
+    /// One row of the table with all topics whose verdict is good; `None` if there are none.
     fn good_in_words(&self) -> Option<String> {
         let good = self.good.iter().map(|row| row.on).filter(|on| !self.published.contains(on));
         let good: Vec<&str> = good.collect();

@@ -12,7 +12,7 @@ use contact_scaling::DomainError;
 use foldhash::{HashMap, HashMapExt, HashSet};
 use glam::DVec3;
 
-use super::contact_planes::{ContactPlane, PlaneSurface, angle};
+use super::contact_planes::{ContactPlane, PlaneSurface, angle_between};
 use super::default_pose::DefaultPose;
 use super::fault::PoseFault;
 use crate::model::{ForceId, Model, SphereId, loaded_spheres};
@@ -180,7 +180,9 @@ impl<'j> StandingTree<'_, 'j> {
         }
         let normals: Vec<DVec3> = planes.iter().map(|(_, surface)| surface.normal).collect();
         let lift = match normals.first() {
-            Some(&first) if normals.iter().all(|&other| angle(first, other) <= SAME_DIRECTION_RAD) => {
+            Some(&first)
+                if normals.iter().all(|&other| angle_between(first, other) <= SAME_DIRECTION_RAD) =>
+            {
                 lifting.find(&path, first)
             }
             _ => Err(NotLifted::SeveralFloors),
