@@ -98,8 +98,8 @@ fn codes_and_messages(tag: &str, text: &str) -> Vec<(&'static str, String)> {
     odd.map(|finding| {
         let before = &model[..model.find(&element).unwrap()];
         let at = finding.position.unwrap();
-        let column = before.lines().last().unwrap().len() + element.find('>').unwrap() + 2;
-        assert_eq!((at.line, at.column), (before.lines().count(), column));
+        let of_element = (before.lines().count(), before.lines().last().unwrap().len() + 1);
+        assert_eq!((at.line, at.column), of_element);
         (finding.code().as_str(), finding.message.to_string())
     })
     .collect()
