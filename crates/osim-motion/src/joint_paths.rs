@@ -58,8 +58,7 @@ impl<'m> JointPaths<'m> {
             paths.bodies.insert(body, paths.steps.len());
             paths.steps.push(PathStep { joint, forward, from, first, number });
         }
-        let lost = bodies.iter().find(|&&body| !paths.bodies.contains_key(body));
-        match lost {
+        match bodies.iter().find(|&&body| !paths.bodies.contains_key(body)) {
             Some(&body) => Err(PoseFault::NotJoined { body: body.to_owned() }),
             None => Ok(paths),
         }
@@ -75,20 +74,19 @@ impl<'m> JointPaths<'m> {
         self.steps.iter().map(|step| (step.joint, step.first..step.first + step.joint.coordinates.len()))
     }
 
-    /// Writes the places and velocities of all bodies in ground into `places`, for the given values and speeds of the
-    /// coordinates. `has_opensim_speeds` is as in [`Recording`].
+    /// Writes the places and velocities of all bodies in ground into `places`, for a frame of a recording.
     pub(crate) fn place_bodies(
         &self,
-        values: &[f64],
-        speeds: &[f64],
-        has_opensim_speeds: &[bool],
+        recording: &Recording,
+        frame: usize,
         places: &mut Vec<MovingPlacement>,
     ) {
+        let (values, speeds) = (recording.values(frame), recording.speeds(frame));
         places.clear();
         for step in &self.steps {
             let range = step.first..step.first + step.joint.coordinates.len();
             let speeds = speeds.get(range.clone()).unwrap_or_default();
-            let speeds = match has_opensim_speeds.get(step.number) {
+            let speeds = match recording.has_opensim_speeds.get(step.number) {
                 Some(true) => Speeds::Generalized(speeds),
                 _ => Speeds::Rates(speeds),
             };
@@ -137,12 +135,7 @@ impl Poses {
         let numbers: Vec<usize> = known.iter().filter_map(|name| paths.body(name)).collect();
         let mut places = Vec::new();
         for &frame in frames {
-            paths.place_bodies(
-                recording.values(frame),
-                recording.speeds(frame),
-                &recording.has_opensim_speeds,
-                &mut places,
-            );
+            paths.place_bodies(recording, frame, &mut places);
             let placed = |&number| {
                 places.get(number).map_or(Placement::IDENTITY, |moving: &MovingPlacement| moving.at)
             };

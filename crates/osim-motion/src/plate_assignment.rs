@@ -70,11 +70,10 @@ impl MeasuredForces {
             has_points: vec![true; feet.len()],
             uses,
         };
-        for (plate, usage) in plates.iter().zip(measured.uses.clone()) {
-            if usage.by == Some(AssignedBy::Idle) {
-                continue;
-            }
-            measured.add_plate(plate, &usage, feet, states, weight_n);
+        let uses = measured.uses.clone();
+        for (plate, usage) in plates.iter().zip(&uses).filter(|(_, usage)| usage.by != Some(AssignedBy::Idle))
+        {
+            measured.add_plate(plate, usage, feet, states, weight_n);
         }
         measured.clear_frames_beside_plates(feet, states, weight_n);
         measured
@@ -125,27 +124,19 @@ impl MeasuredForces {
                 (Some(AssignedBy::Nearest), Some(wrench)) => {
                     let least_n = TOUCH_DOWN_BW * weight_n;
                     if let Some(foot) = nearest_foot(&wrench, feet, &may_be_on, states, frame, least_n) {
-                        self.add_to_foot(foot, frame, Some(wrench));
+                        add_to_frame(&mut self.feet[foot], frame, Some(wrench));
                     }
                 }
                 // The force under each candidate is unknown if the plate has no data, or its foot is unknown.
                 (Some(AssignedBy::Nearest), None) | (None, _) => {
-                    may_be_on.iter().for_each(|&foot| self.add_to_foot(foot, frame, None));
+                    may_be_on.iter().for_each(|&foot| add_to_frame(&mut self.feet[foot], frame, None));
                 }
-                (Some(_), _) => may_be_on.iter().for_each(|&foot| self.add_to_foot(foot, frame, wrench)),
+                (Some(_), _) => {
+                    may_be_on.iter().for_each(|&foot| add_to_frame(&mut self.feet[foot], frame, wrench))
+                }
             }
         }
-        for foot in may_be_on {
-            if let Some(has_points) = self.has_points.get_mut(foot) {
-                *has_points &= plate.has_points;
-            }
-        }
-    }
-
-    fn add_to_foot(&mut self, foot: usize, frame: usize, wrench: Option<Wrench>) {
-        if let Some(series) = self.feet.get_mut(foot) {
-            add_to_frame(series, frame, wrench);
-        }
+        may_be_on.into_iter().for_each(|foot| self.has_points[foot] &= plate.has_points);
     }
 }
 

@@ -26,22 +26,23 @@ impl Plate {
     /// # Errors
     /// No columns of a force, or a missing number.
     pub fn from_columns(table: &Table) -> Result<Vec<Self>, MotionFault> {
-        let triples = PlateColumns::of(table);
-        if triples.forces.is_empty() {
+        let triples = columns_of_plates(table);
+        let forces = || triples.iter().filter(|one| one.quantity == PlateQuantity::Force);
+        if forces().next().is_none() {
             return Err(MotionFault::new(
                 "it has no columns of a force that are known, such as ground_force_vx, ground_force_vy and ground_force_vz: an \
                  ExternalLoads file says which columns are forces",
             ));
         }
-        triples
-            .forces
-            .iter()
-            .map(|force| {
-                let [point, torque] = [PlateQuantity::CentreOfPressure, PlateQuantity::Moment]
-                    .map(|quantity| triples.columns_of_plate(quantity, force));
-                Self::new(table, &force.stem, None, [Some(force.columns), point, torque])
-            })
-            .collect()
+        let plate = |force: &ColumnTriple<'_>| {
+            let columns = |quantity: PlateQuantity| {
+                let other = triples.iter().find(|one| one.quantity == quantity && one.plate == force.plate);
+                other.map(|one| one.columns)
+            };
+            let [point, torque] = [PlateQuantity::CentreOfPressure, PlateQuantity::Moment].map(columns);
+            Self::new(table, &force.stem, None, [Some(force.columns), point, torque])
+        };
+        forces().map(plate).collect()
     }
 
     /// The plates that an `ExternalLoads` file lists.
@@ -81,8 +82,10 @@ impl Plate {
         let at = |columns: Option<[&Column; 3]>, row: usize| {
             columns.map_or(DVec3::ZERO, |columns| columns.map(|column| column.values[row]).into())
         };
-        let is_point =
-            |column: &Column| column.values.iter().any(|&at| at != 0.0) || is_electrical_centre(&column.name);
+        let is_point = |column: &Column| {
+            let is_electrical_centre = column.name.to_ascii_lowercase().starts_with(ELECTRICAL_CENTRE_PREFIX);
+            is_electrical_centre || column.values.iter().any(|&at| at != 0.0)
+        };
         let has_points = point.into_iter().flatten().any(is_point);
         let wrenches = (0..table.rows())
             .map(|row| {
@@ -237,45 +240,23 @@ enum PlateQuantity {
 }
 
 /// The columns of all plates in a table of ground reactions.
-struct PlateColumns<'t> {
-    forces: Vec<ColumnTriple<'t>>,
-    others: Vec<ColumnTriple<'t>>,
-}
-
-impl<'t> PlateColumns<'t> {
-    fn of(table: &'t Table) -> Self {
-        let mut triples = Self { forces: Vec::new(), others: Vec::new() };
-        for column in &table.columns {
-            let Some(stem) = column.name.strip_suffix(['x', 'X']) else { continue };
-            let Some((quantity, plate)) = quantity_and_plate(stem) else { continue };
-            let [Some(y), Some(z)] = [["y", "Y"], ["z", "Z"]]
-                .map(|names| names.iter().find_map(|axis| table.column(&format!("{stem}{axis}"))))
-            else {
-                continue;
-            };
-            let triple = ColumnTriple { stem: stem.to_owned(), columns: [column, y, z], quantity, plate };
-            match quantity {
-                PlateQuantity::Force => triples.forces.push(triple),
-                _ => triples.others.push(triple),
-            }
-        }
-        triples
+fn columns_of_plates(table: &Table) -> Vec<ColumnTriple<'_>> {
+    let mut triples = Vec::new();
+    for column in &table.columns {
+        let Some(stem) = column.name.strip_suffix(['x', 'X']) else { continue };
+        let Some((quantity, plate)) = quantity_and_plate(stem) else { continue };
+        let [Some(y), Some(z)] = [["y", "Y"], ["z", "Z"]]
+            .map(|names| names.iter().find_map(|axis| table.column(&format!("{stem}{axis}"))))
+        else {
+            continue;
+        };
+        triples.push(ColumnTriple { stem: stem.to_owned(), columns: [column, y, z], quantity, plate });
     }
-
-    fn columns_of_plate(&self, quantity: PlateQuantity, force: &ColumnTriple<'_>) -> Option<[&'t Column; 3]> {
-        self.others
-            .iter()
-            .find(|one| one.quantity == quantity && one.plate == force.plate)
-            .map(|one| one.columns)
-    }
+    triples
 }
 
 /// The begin of the names of columns with a plate's electrical centre: moments are about it.
 const ELECTRICAL_CENTRE_PREFIX: &str = "ec";
-
-fn is_electrical_centre(column: &str) -> bool {
-    column.to_ascii_lowercase().starts_with(ELECTRICAL_CENTRE_PREFIX)
-}
 
 /// The quantity and the plate of columns with this stem; examples are `ground_force_v`, `1_ground_force_p`, `ground_torque_r_`,
 /// `l_ground_moment_m`, `F1`, `M1`, `COP1`; NMSM has moments about a fixed point, `EC1`.

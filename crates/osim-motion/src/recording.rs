@@ -267,14 +267,10 @@ impl Recording {
             for _ in 0..MOST_COUPLER_PASSES {
                 let mut changed = false;
                 for (coupler, from, to) in &applied {
-                    let at = values.get(*from).copied().zip(speeds.get(*from).copied());
-                    let Some((value, speed)) = at else { continue };
-                    let Some((follows, slope)) = coupler.value_and_slope(value) else { continue };
-                    let (Some(value), Some(rate)) = (values.get_mut(*to), speeds.get_mut(*to)) else {
-                        continue;
-                    };
-                    changed |= *value != follows || *rate != slope * speed;
-                    (*value, *rate) = (follows, slope * speed);
+                    let Some((follows, slope)) = coupler.value_and_slope(values[*from]) else { continue };
+                    let next = (follows, slope * speeds[*from]);
+                    changed |= (values[*to], speeds[*to]) != next;
+                    (values[*to], speeds[*to]) = next;
                 }
                 if !changed {
                     break;

@@ -16,10 +16,8 @@ pub(crate) fn left_to_right(states: &ContactStates, pose: &DefaultPose) -> Resul
         let Some(side) = Side::of_name(&pair.body) else { continue };
         let at_m = pose.placement(&pair.body)?.point(pair.centre_m);
         let place = usize::from(side == Side::Left);
-        if let Some((sum, count)) = sums.get_mut(place).zip(counts.get_mut(place)) {
-            *count += 1.0;
-            *sum += at_m;
-        }
+        sums[place] += at_m;
+        counts[place] += 1.0;
     }
     let [right, left] = sums;
     Ok(right / counts[0] - left / counts[1])

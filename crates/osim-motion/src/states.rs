@@ -181,12 +181,7 @@ impl ContactStates {
         let mut states = Vec::with_capacity(recording.frames() * pairs.len());
         let mut places = Vec::new();
         for frame in 0..recording.frames() {
-            paths.place_bodies(
-                recording.values(frame),
-                recording.speeds(frame),
-                &recording.has_opensim_speeds,
-                &mut places,
-            );
+            paths.place_bodies(recording, frame, &mut places);
             for ((pair, body), surface) in pairs.iter().zip(&sphere_bodies).zip(&surfaces) {
                 let Some(moving) = body.and_then(|body| places.get(body)) else { continue };
                 let belt_m_s = if pair.is_ground { belt.at(frame) } else { DVec3::ZERO };

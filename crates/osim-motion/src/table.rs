@@ -83,27 +83,7 @@ impl Table {
         let is_even = |pair: &[f64]| matches!(pair, [a, b] if ((b - a) - mean).abs() <= 0.01 * mean);
         self.time_s.windows(2).all(is_even).then_some(mean)
     }
-}
 
-named! {
-    /// The unit of the angles of a file.
-    pub enum AngleUnit {
-        Degrees = "degrees",
-        Radians = "radians",
-    }
-}
-
-impl AngleUnit {
-    /// The factor that converts an angle of this unit to rad.
-    pub const fn radians(self) -> f64 {
-        match self {
-            Self::Degrees => std::f64::consts::PI / 180.0,
-            Self::Radians => 1.0,
-        }
-    }
-}
-
-impl Table {
     /// Reads the header and returns the index of its line `endheader` in the file, from 0.
     fn read_header(&mut self, text: &str) -> Result<usize, MotionFault> {
         for (index, line) in text.lines().enumerate() {
@@ -139,25 +119,7 @@ impl Table {
     fn read_sentence(&mut self, unit: AngleUnit) {
         self.declared.get_or_insert(unit);
     }
-}
 
-/// Checks that times are finite and rise.
-fn refuse_falling_times(time_s: &[f64], lines: &[usize]) -> Result<(), MotionFault> {
-    if let Some((time, line)) = time_s.iter().zip(lines).find(|(time, _)| !time.is_finite()) {
-        return Err(MotionFault::at(*line, format!("its time is {time}, expected a finite number")));
-    }
-    let mut steps = time_s.windows(2).zip(lines.iter().skip(1));
-    let Some((pair, line)) = steps.find(|(pair, _)| pair[1] <= pair[0]) else { return Ok(()) };
-    let text = format!("its time is {} s, after {} s: times must rise", pair[1], pair[0]);
-    Err(MotionFault::at(*line, text))
-}
-
-// Names and numbers below the header.
-
-/// The largest number of letters of a text from the file in a message.
-const MOST_LETTERS_SHOWN: usize = 40;
-
-impl Table {
     /// Reads a table from the bytes of a file.
     ///
     /// # Errors
@@ -216,7 +178,63 @@ impl Table {
         (self.time_s, self.columns, self.lines) = (time_s, columns, numbers);
         Ok(())
     }
+
+    /// The time spans in which rows are missing: steps longer than 1.5 times the median step.
+    ///
+    /// ```
+    /// use osim_motion::Table;
+    ///
+    /// let table = Table::read(b"endheader\ntime x\n0.00 1\n0.01 1\n0.02 1\n0.05 1\n0.06 1\n")?;
+    /// let gaps = table.gaps();
+    /// assert_eq!((gaps.len(), gaps[0].from_s, gaps[0].to_s), (1, 0.02, 0.05));
+    /// # Ok::<(), osim_motion::MotionFault>(())
+    /// ```
+    pub fn gaps(&self) -> Vec<Gap> {
+        let steps = self.time_s.windows(2).map(|pair| Gap { from_s: pair[0], to_s: pair[1] });
+        let mut lengths: Vec<f64> = steps.clone().map(|step| step.length_s()).collect();
+        let middle = lengths.len() / 2;
+        if lengths.is_empty() {
+            return Vec::new();
+        }
+        let (_, usual_s, _) = lengths.select_nth_unstable_by(middle, f64::total_cmp);
+        let longest_usual_s = LEAST_GAP_IN_STEPS * *usual_s;
+        steps.filter(|step| step.length_s() > longest_usual_s).collect()
+    }
 }
+
+named! {
+    /// The unit of the angles of a file.
+    pub enum AngleUnit {
+        Degrees = "degrees",
+        Radians = "radians",
+    }
+}
+
+impl AngleUnit {
+    /// The factor that converts an angle of this unit to rad.
+    pub const fn radians(self) -> f64 {
+        match self {
+            Self::Degrees => std::f64::consts::PI / 180.0,
+            Self::Radians => 1.0,
+        }
+    }
+}
+
+/// Checks that times are finite and rise.
+fn refuse_falling_times(time_s: &[f64], lines: &[usize]) -> Result<(), MotionFault> {
+    if let Some((time, line)) = time_s.iter().zip(lines).find(|(time, _)| !time.is_finite()) {
+        return Err(MotionFault::at(*line, format!("its time is {time}, expected a finite number")));
+    }
+    let mut steps = time_s.windows(2).zip(lines.iter().skip(1));
+    let Some((pair, line)) = steps.find(|(pair, _)| pair[1] <= pair[0]) else { return Ok(()) };
+    let text = format!("its time is {} s, after {} s: times must rise", pair[1], pair[0]);
+    Err(MotionFault::at(*line, text))
+}
+
+// Names and numbers below the header.
+
+/// The largest number of letters of a text from the file in a message.
+const MOST_LETTERS_SHOWN: usize = 40;
 
 /// The names of columns: split at tabs, so that names may have spaces; without tabs, split at spaces.
 fn split_names(line: &str) -> Vec<String> {
@@ -256,30 +274,6 @@ pub struct Gap {
 impl Gap {
     pub fn length_s(&self) -> f64 {
         self.to_s - self.from_s
-    }
-}
-
-impl Table {
-    /// The time spans in which rows are missing: steps longer than 1.5 times the median step.
-    ///
-    /// ```
-    /// use osim_motion::Table;
-    ///
-    /// let table = Table::read(b"endheader\ntime x\n0.00 1\n0.01 1\n0.02 1\n0.05 1\n0.06 1\n")?;
-    /// let gaps = table.gaps();
-    /// assert_eq!((gaps.len(), gaps[0].from_s, gaps[0].to_s), (1, 0.02, 0.05));
-    /// # Ok::<(), osim_motion::MotionFault>(())
-    /// ```
-    pub fn gaps(&self) -> Vec<Gap> {
-        let steps = self.time_s.windows(2).map(|pair| Gap { from_s: pair[0], to_s: pair[1] });
-        let mut lengths: Vec<f64> = steps.clone().map(|step| step.length_s()).collect();
-        let middle = lengths.len() / 2;
-        if lengths.is_empty() {
-            return Vec::new();
-        }
-        let (_, usual_s, _) = lengths.select_nth_unstable_by(middle, f64::total_cmp);
-        let longest_usual_s = LEAST_GAP_IN_STEPS * *usual_s;
-        steps.filter(|step| step.length_s() > longest_usual_s).collect()
     }
 }
 

@@ -80,8 +80,7 @@ impl<'m> Masses<'m> {
     ) -> Vec<T> {
         let mut places = Vec::new();
         let in_frame = |frame| {
-            let (values, speeds) = (recording.values(frame), recording.speeds(frame));
-            self.paths.place_bodies(values, speeds, &recording.has_opensim_speeds, &mut places);
+            self.paths.place_bodies(recording, frame, &mut places);
             take(frame, &places)
         };
         (0..recording.frames()).map(in_frame).collect()

@@ -1,6 +1,7 @@
 //! Whether motion, contacts and plates agree, and what is wrong with them, seen before anything is solved.
 
 use gcv_spline::GcvSpline;
+use osim_model::messages::named;
 use osim_model::{DVec3, Model};
 
 use super::dynamics::Masses;
@@ -163,11 +164,12 @@ fn delay_s(time_s: &[f64], inertia: &[f64], force: &[f64]) -> Option<f64> {
     Some((best as f64 - most as f64 + part) * step_s)
 }
 
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum MotionVerdict {
-    Agree,
-    LargeCorrection,
-    Disagree,
+named! {
+    pub enum MotionVerdict {
+        Agree = "agree",
+        LargeCorrection = "large-correction",
+        Disagree = "disagree",
+    }
 }
 
 /// The largest error of the vertical force that agrees, body weights.
@@ -175,16 +177,6 @@ const MOST_VERTICAL_BW: f64 = 0.1;
 /// The largest lift that agrees (95 % of all), and the largest difference of two feet, as multiples of a usual error.
 const MOST_LIFT: f64 = 2.0;
 const MOST_DIFFERENCE_OF_FEET: f64 = 2.5;
-
-impl MotionVerdict {
-    pub const fn as_str(self) -> &'static str {
-        match self {
-            Self::Agree => "agree",
-            Self::LargeCorrection => "large-correction",
-            Self::Disagree => "disagree",
-        }
-    }
-}
 
 impl CorrectionFigures {
     /// How much more the second of two feet is lifted than the first, m; `None` unless there are two.
@@ -200,13 +192,12 @@ impl CorrectionFigures {
         self.feet.iter().map(figure).fold(0.0, f64::max)
     }
 
-    /// The verdict, with what is wrong: what was seen `before`, and one foot that is off.
+    /// The verdict, with what is wrong: the `causes` that were seen before, and one foot that is off.
     pub fn verdict(
         &self,
-        before: Vec<Mismatch>,
+        mut causes: Vec<Mismatch>,
         options: &CorrectionOptions,
     ) -> (MotionVerdict, Vec<Mismatch>) {
-        let mut causes = before;
         let apart_m = self
             .difference_of_feet_m()
             .filter(|apart_m| apart_m.abs() > MOST_DIFFERENCE_OF_FEET * options.length_m);
