@@ -41,12 +41,6 @@ pub(crate) struct RemedyTrials<'t> {
     pub(crate) of_reference: &'t BTreeSet<FindingCode>,
 }
 
-/// The model after a step, and the findings about it.
-struct ModelAfterStep {
-    model: Model,
-    found: CheckResult,
-}
-
 /// A remedy that works, and the findings about the model after it.
 struct TriedStep {
     request: Request,
@@ -68,12 +62,10 @@ impl RemedyTrials<'_> {
         let remaining: Vec<FindingIndex<'_>> =
             steps.iter().map(|step| FindingIndex::new(&step.found.findings)).collect();
         for one in &mut found.findings {
-            let step_without_it = steps
-                .iter()
-                .zip(&remaining)
-                .find(|(_, remaining)| remaining.find_same(one).is_none())
-                .map(|(step, _)| step);
-            one.remedy = step_without_it.filter(|_| may_have_command(one)).map(|step| step.request.clone());
+            let mut both = steps.iter().zip(&remaining);
+            let step_without_it = both.find(|(_, remaining)| remaining.find_same(one).is_none());
+            let step_without_it = step_without_it.filter(|_| may_have_command(one));
+            one.remedy = step_without_it.map(|(step, _)| step.request.clone());
         }
         let is_gone =
             |one: &&FindingWithRemedy| remaining.last().is_some_and(|left| left.find_same(one).is_none());
@@ -90,40 +82,41 @@ impl RemedyTrials<'_> {
         let mut latest_model: Option<Model> = None;
         while steps.len() < most {
             let latest_findings = steps.last().map_or(found, |step| &step.found);
-            let Some((request, next)) =
+            let Some((request, (changed, found))) =
                 self.next_step(latest_model.as_ref().unwrap_or(model), latest_findings)
             else {
                 break;
             };
-            steps.push(TriedStep { request, found: next.found });
-            latest_model = Some(next.model);
+            steps.push(TriedStep { request, found });
+            latest_model = Some(changed);
         }
         steps
     }
 
     /// The first remedy that works, and the model after it.
-    fn next_step(&self, model: &Model, found: &CheckResult) -> Option<(Request, ModelAfterStep)> {
+    fn next_step(&self, model: &Model, found: &CheckResult) -> Option<(Request, (Model, CheckResult))> {
         let from = model_path(found);
         remedy_candidates(found).into_iter().find_map(|RemedyCandidate { mut request, parts, .. }| {
             let is_proposed =
                 |one: &&FindingWithRemedy| one.remedy.as_ref().is_some_and(|one| parts.contains(one));
             let its: Vec<&FindingWithRemedy> = found.findings.iter().filter(is_proposed).collect();
             let to = set_numbered_output(&mut request, &from, self.files)?;
-            let next = self.model_after(&request, model, &to)?;
+            let (changed, after) = self.model_after(&request, model, &to)?;
             // If the mass that the contacts are made for becomes uncertain, the next step cannot be planned.
-            let in_doubt = next.model.doubt_about_note().is_some() && model.doubt_about_note().is_none();
-            (!in_doubt && self.is_effective(&its, &request, found, &next.found)).then_some((request, next))
+            let in_doubt = changed.doubt_about_note().is_some() && model.doubt_about_note().is_none();
+            (!in_doubt && self.is_effective(&its, &request, found, &after))
+                .then_some((request, (changed, after)))
         })
     }
 
     /// The model after the request, written as the file `to`; `None` if the request is refused or changes nothing.
-    fn model_after(&self, request: &Request, model: &Model, to: &Path) -> Option<ModelAfterStep> {
+    fn model_after(&self, request: &Request, model: &Model, to: &Path) -> Option<(Model, CheckResult)> {
         let change = prepare(request.clone(), self.files).ok()?;
         let plan = change.plan_alone(model).ok().filter(|plan| !plan.is_empty())?;
         let model = plan.changed_model(model).ok()?;
         let inspected = (self.inspect)(&FileName::from(to), &model);
         let found = check_with_trials(self.options, &model, &inspected, &[]);
-        Some(ModelAfterStep { model, found })
+        Some((model, found))
     }
 
     /// Whether the findings `its`, for which the remedy was proposed, are gone after the remedy, and no other warning is new.

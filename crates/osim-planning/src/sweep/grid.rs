@@ -1,6 +1,5 @@
 //! The points of a sweep's grid, and the choice of the points that one call makes.
 
-use std::fmt;
 use std::iter::StepBy;
 use std::ops::Range;
 
@@ -12,22 +11,11 @@ pub(super) struct GridPoint<'g> {
     pub values: Vec<(AxisName, &'g GridValue)>,
 }
 
-impl fmt::Display for GridPoint<'_> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let each: Vec<String> = self
-            .values
-            .iter()
-            .map(|(name, value)| format!("{}={}", name_in_files(*name), value.label))
-            .collect();
-        f.write_str(&each.join(" "))
-    }
-}
-
 impl GridPoint<'_> {
-    pub(super) fn file_part(&self) -> String {
-        let each =
-            self.values.iter().map(|(name, value)| format!("{}-{}", name_in_files(*name), value.label));
-        each.collect::<Vec<_>>().join("_")
+    /// The names and values of the axes, with `equals` between name and value.
+    pub(super) fn joined(&self, equals: &str, separator: &str) -> String {
+        let one = |(name, value): &(AxisName, &GridValue)| [name_in_files(*name), &value.label].join(equals);
+        self.values.iter().map(one).collect::<Vec<String>>().join(separator)
     }
 
     pub(super) fn value_of_axis(&self, wanted: AxisName) -> Option<f64> {
@@ -144,7 +132,7 @@ mod tests {
     fn the_ends_of_every_axis_are_among_its_points() {
         let axes = [parsed_axis("stiffness=3,1,2"), parsed_axis("dissipation=0.5,4,1")];
         let ends: Vec<String> =
-            points_at_ends(&axes).into_iter().map(|index| point_at(&axes, index).to_string()).collect();
+            points_at_ends(&axes).into_iter().map(|index| point_at(&axes, index).joined("=", " ")).collect();
         for wanted in ["stiffness=1", "stiffness=3", "dissipation=0.5", "dissipation=4"] {
             assert!(ends.iter().any(|point| point.contains(wanted)), "{wanted}: {ends:?}");
         }
@@ -156,7 +144,7 @@ mod tests {
         let name = axes[0].name;
         let points: Vec<String> = points_along(&axes, name)
             .into_iter()
-            .map(|(index, _)| point_at(&axes, index).to_string())
+            .map(|(index, _)| point_at(&axes, index).joined("=", " "))
             .collect();
         assert_eq!(
             points,
@@ -171,10 +159,10 @@ mod tests {
     #[test]
     fn a_grid_has_every_combination_of_its_values() {
         let axes = [parsed_axis("stiffness=x0.1,x1"), parsed_axis("dissipation=0.5,1,2")];
-        let names: Vec<String> = (0..6).map(|index| point_at(&axes, index).file_part()).collect();
+        let names: Vec<String> = (0..6).map(|index| point_at(&axes, index).joined("-", "_")).collect();
         assert_eq!(names[0], "stiffness-x0.1_dissipation-0.5");
         assert_eq!(names[5], "stiffness-x1_dissipation-2");
-        assert_eq!(point_at(&axes, 1).to_string(), "stiffness=x0.1 dissipation=1");
+        assert_eq!(point_at(&axes, 1).joined("=", " "), "stiffness=x0.1 dissipation=1");
     }
 
     fn sweep_request(point: Option<usize>, shard: Option<&str>) -> SweepRequest {

@@ -15,7 +15,7 @@ use osim_model::messages::{Phrase, shortest};
 use osim_model::{MassRequest, Property, YesQuestion};
 use osim_requests::{AxisName, RequestError, RequestFault, SweepRequest};
 
-use grid::{GridPoint, point_at, points_along, points_at_ends, zero_padded};
+use grid::{point_at, points_along, points_at_ends, zero_padded};
 use ladder::SweepLadder;
 use variant::{StepChanges, Variant};
 
@@ -101,7 +101,7 @@ impl<'s> SweepPlan<'s> {
             Some(ladder) => ladder.file_part(index),
             None => {
                 let point = point_at(&self.request.grid, index);
-                format!("{}_{}", zero_padded(index + 1, self.count), point.file_part())
+                format!("{}_{}", zero_padded(index + 1, self.count), point.joined("-", "_"))
             }
         };
         self.file_name_with(&part, "osim")
@@ -157,9 +157,15 @@ impl<'s> SweepPlan<'s> {
         })
     }
 
-    /// Whether `columns` are the columns of a sweep's table.
+    /// Whether `columns` are the columns of a sweep's table, of a grid or of a ladder.
     pub fn is_table_header<C: AsRef<str>>(columns: &[C]) -> bool {
-        is_header(columns)
+        let others = header(Vec::new()).len();
+        let Some(count) = columns.len().checked_sub(others) else { return false };
+        let asked: Vec<&str> =
+            columns.iter().skip(FIRST_COLUMNS_OF_SWEEP.len()).take(count).map(AsRef::as_ref).collect();
+        let is_grid = asked.iter().all(|column| column.starts_with(GRID_PREFIX));
+        let whole = header(asked.iter().map(|&column| column.to_owned()).collect());
+        (is_grid || asked == COLUMNS_OF_LADDER) && columns.iter().map(AsRef::as_ref).eq(whole)
     }
 
     /// Plans the variants at the ends of the axes. Values outside their domain are so found before anything is written.
@@ -201,11 +207,8 @@ impl<'s> SweepPlan<'s> {
             let said = MassRequest { target_mass_kg, ..self.request.masses.request() };
             unexplained_mass(&said, &open.model, &selection).is_some()
         };
-        Ok(masses
-            .into_iter()
-            .filter(|(_, target_mass_kg)| is_asked(*target_mass_kg))
-            .map(|(index, _)| index)
-            .collect())
+        let odd = masses.into_iter().filter(|(_, target_mass_kg)| is_asked(*target_mass_kg));
+        Ok(odd.map(|(index, _)| index).collect())
     }
 
     /// Makes the variant with this index.
@@ -216,10 +219,9 @@ impl<'s> SweepPlan<'s> {
         let job = self
             .job_of_variant(index)
             .map_err(|fault| Failure::outside(self.model.name(), "refused", fault.phrase()))?;
-        let mut variant = self.make_variant(&job).map_err(|failure| {
-            let mut placed = failure.clone();
-            placed.message = message_with_point(&failure, &job);
-            placed
+        let mut variant = self.make_variant(&job).map_err(|mut failure| {
+            failure.message = message_with_point(&failure, &job);
+            failure
         })?;
         let bytes = std::mem::take(&mut variant.bytes);
         Ok(MadeVariant {
@@ -238,22 +240,15 @@ impl<'s> SweepPlan<'s> {
     }
 
     fn job_of_variant(&self, index: usize) -> Result<VariantJob, RequestFault> {
-        match &self.ladder {
-            Some(ladder) => self.job_of_step(ladder, index),
-            None => self.job_of_point(&point_at(&self.request.grid, index)),
-        }
-    }
-
-    fn job_of_point(&self, point: &GridPoint<'_>) -> Result<VariantJob, RequestFault> {
-        Ok(VariantJob {
-            asked: point.values.iter().map(|(_, value)| value.exact()).collect(),
-            operation: format!("sweep {point}"),
-            target_mass_kg: point.value_of_axis(AxisName::TargetMass),
-            stages: variant::stages_at(self.request, point)?,
-        })
-    }
-
-    fn job_of_step(&self, ladder: &SweepLadder, index: usize) -> Result<VariantJob, RequestFault> {
+        let Some(ladder) = &self.ladder else {
+            let point = point_at(&self.request.grid, index);
+            return Ok(VariantJob {
+                asked: point.values.iter().map(|(_, value)| value.exact()).collect(),
+                operation: format!("sweep {}", point.joined("=", " ")),
+                target_mass_kg: point.value_of_axis(AxisName::TargetMass),
+                stages: variant::stages_at(self.request, &point)?,
+            });
+        };
         let (number, count) = (index + 1, ladder.len());
         let stiffness = ladder.dimensionless_stiffness(index).map(shortest).unwrap_or_default();
         Ok(VariantJob {
@@ -311,17 +306,6 @@ fn header(asked: Vec<String>) -> Vec<String> {
     first.chain(asked).chain(properties).chain(follows).collect()
 }
 
-/// Whether `columns` are the columns of a sweep's table, of a grid or of a ladder.
-fn is_header<C: AsRef<str>>(columns: &[C]) -> bool {
-    let others = header(Vec::new()).len();
-    let Some(count) = columns.len().checked_sub(others) else { return false };
-    let asked: Vec<&str> =
-        columns.iter().skip(FIRST_COLUMNS_OF_SWEEP.len()).take(count).map(AsRef::as_ref).collect();
-    let is_grid = asked.iter().all(|column| column.starts_with(GRID_PREFIX));
-    let whole = header(asked.iter().map(|&column| column.to_owned()).collect());
-    (is_grid || asked == COLUMNS_OF_LADDER) && columns.iter().map(AsRef::as_ref).eq(whole)
-}
-
 /// The cells of one variant. `worse` has the codes of errors and warnings that the original model does not have; `sha256` is the digest of
 /// the bytes.
 fn row_of_table(
@@ -336,8 +320,8 @@ fn row_of_table(
     let follows = [
         variant.indentations(Figure::Indentation),
         variant.indentations(Figure::IndentationModelLaw),
-        cell(variant.dimensionless_stiffness()),
-        cell(variant.restitution()),
+        cell(variant.figure(Figure::DimensionlessStiffness)),
+        cell(variant.figure(Figure::RestitutionExact)),
         worse.join(" "),
         sha256,
     ];

@@ -127,23 +127,14 @@ impl Variant {
         }
     }
 
-    /// Dimensionless stiffness k̂ under one body weight (B.3).
-    pub(super) fn dimensionless_stiffness(&self) -> Option<f64> {
-        self.figure(Figure::DimensionlessStiffness)
-    }
-
-    /// The restitution c_r at the impact speed, by the law of the file.
-    pub(super) fn restitution(&self) -> Option<f64> {
-        self.figure(Figure::RestitutionExact)
-    }
-
     /// The largest √cf/R of the spheres; 0 without smoothing.
     pub(super) fn largest_constant_indentation(&self) -> f64 {
         let spheres = self.figures.iter().flat_map(Figures::spheres);
         spheres.filter_map(|sphere| sphere.value(Figure::ConstantIndentation)).fold(0.0, f64::max)
     }
 
-    fn figure(&self, figure: Figure) -> Option<f64> {
+    /// A figure under one body weight and at the impact speed, if all spheres have the same value.
+    pub(super) fn figure(&self, figure: Figure) -> Option<f64> {
         let figures = self.figures.as_ref()?;
         let all: Option<Vec<f64>> = figures.spheres().map(|sphere| sphere.value(figure)).collect();
         common_number(all?.into_iter())
