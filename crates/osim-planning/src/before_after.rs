@@ -109,13 +109,8 @@ fn inspected_and_checked(
 ) -> (Inspection, CheckResult) {
     let inspect = |name: &FileName, model: &Model| options.inspect(name.clone(), model, None);
     let inspection = inspect(opened.name(), &opened.model);
-    let check = check_model(
-        options,
-        &opened.model,
-        &inspection,
-        &[],
-        prepared_change::find_other_changeable_values(options, &opened.model, changes),
-    );
+    let changeable = prepared_change::find_other_changeable_values(options, &opened.model, changes);
+    let check = check_model(options, &opened.model, &inspection, &[], changeable);
     // These remedies name no other files.
     let trials =
         RemedyTrials { options, files: &InMemory::default(), inspect: &inspect, of_reference: &NO_CODES };

@@ -1,6 +1,6 @@
 //! Drop tests: a body falls on its contacts. Has the register of the figures of a drop.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use contact_scaling::drop_test::{
     Difference, DropError, DropReport, DropTest, DropValues, FirstContact, LiftOff, Sample, compare,
@@ -12,7 +12,7 @@ use osim_inspect::{
 };
 use osim_model::files::{Failure, FileName, Files, OpenModel};
 use osim_model::messages::{Input, Phrase, phrase};
-use osim_model::{CountedSpheres, Fault, GravityFor, MassRequest, MissingFact, Model};
+use osim_model::{CountedSpheres, Fault, GravityFor, MassRequest, MissingFact};
 use osim_requests::{Count, DropTestRequest, Kilograms, NotNegative, Positive, RequestError, RequestFault};
 
 use self::DropRow::{InOrder, Last, Nowhere};
@@ -62,23 +62,14 @@ struct BodyOptions {
     count_of: CountedSpheres,
 }
 
-impl BodyOptions {
-    /// The number of limbs that share the weight of `model`.
-    fn limb_count(&self, model: &Model) -> f64 {
-        Stance { limbs: self.stance_limbs, ..Stance::default() }.limb_count(model)
-    }
-}
-
 /// Lets the body of the request fall on its contacts.
 ///
 /// # Errors
 /// Numbers that are missing or contradict a model, a model that cannot be read, or a drop that cannot be followed.
 pub fn run_drop_test(request: &DropTestRequest, files: &dyn Files) -> Result<DropResult, RequestError> {
     let prepared_drop = drop_of_subject(request, files)?;
-    let other = match &request.compare {
-        Some(path) => Some(drop_of_named(request, path, &options_for_compared(request), files)?),
-        None => None,
-    };
+    let named = |path: &PathBuf| drop_of_named(request, path, &options_for_compared(request), files);
+    let other = request.compare.as_ref().map(named).transpose()?;
     let failed = |error: DropError| Failure::outside(&prepared_drop.name, "drop-test", error.to_string());
     let report = prepared_drop.test.run().map_err(failed)?;
     let is_finite = |sample| DropColumn::ALL.iter().all(|column| column.value(&report, sample).is_finite());
@@ -86,13 +77,11 @@ pub fn run_drop_test(request: &DropTestRequest, files: &dyn Files) -> Result<Dro
         let why = "the series of this drop is not finite, expected a shorter duration, or masses, radii and gravity of a real body";
         return Err(Failure::outside(&prepared_drop.name, "drop-test", why).into());
     }
-    let compared = match &other {
-        Some(other) => {
-            let difference = compare(&prepared_drop.test, &other.test).map_err(failed)?;
-            Some(ComparedDrop { name: other.name.clone(), difference })
-        }
-        None => None,
+    let compared = |other: &PreparedDrop| {
+        let difference = compare(&prepared_drop.test, &other.test)?;
+        Ok(ComparedDrop { name: other.name.clone(), difference })
     };
+    let compared = other.as_ref().map(compared).transpose().map_err(failed)?;
     let values = prepared_drop.test.values();
     let both = [Some(&prepared_drop), other.as_ref()].into_iter().flatten();
     let mismatches = both.filter_map(|one| Some((one.name.to_string(), one.mismatch.clone()?))).collect();
@@ -159,8 +148,9 @@ fn drop_of_model(
     request.answers.require_yes(suspicion).map_err(Fault::new)?;
     let selected = request.choice.selection().apply(model)?;
     let mass = masses.model_mass(model)?;
+    let stance = Stance { spheres: own.spheres, limbs: own.stance_limbs, ..Stance::default() };
     let sharing = LoadSharing::of(model, &selected.forces);
-    let count = sharing.count(own.spheres, own.limb_count(model), own.count_of)?;
+    let count = sharing.count(own.spheres, stance.limb_count(model), own.count_of)?;
     let spheres = standing_spheres(model, &selected.forces, count)?;
     let gravity = own.gravity_m_s2.or(model.gravity().filter(|&gravity| gravity > 0.0));
     let Some(gravity) = gravity else {
@@ -177,7 +167,6 @@ fn drop_of_model(
     let weight = Weight { mass_kg, gravity_m_s2: along_normal, sphere_count: count };
     let prepared_drop = prepare_drop(request, open.name(), spheres, &weight)
         .map_err(|error| Fault::refused(error.to_string()))?;
-    let stance = Stance { spheres: own.spheres, limbs: own.stance_limbs, ..Stance::default() };
     let origin = ContactsOrigin::find(model, &selected.forces, &masses, &stance).ok();
     let mismatch = MassMismatch::find(model, &masses, origin.as_ref().map(|origin| &origin.mass));
     Ok(PreparedDrop { mismatch, ..prepared_drop })

@@ -27,10 +27,8 @@ pub struct FitResult {
 /// # Errors
 /// Columns or cells that cannot be read, or values that cannot be fitted.
 pub fn run_fit(request: &FitRequest, files: &dyn Files) -> Result<FitResult, RequestError> {
-    let Some(file) = request.file.clone() else {
-        return Err(RequestFault::Missing { field: "file" }.into());
-    };
-    let Some(radius) = request.radius else { return Err(RequestFault::Missing { field: "radius" }.into()) };
+    let file = request.file.clone().ok_or(RequestFault::Missing { field: "file" })?;
+    let radius = request.radius.ok_or(RequestFault::Missing { field: "radius" })?;
     let (sphere_count, radius_m) = (request.spheres.get(), radius.get());
     let values =
         FitValues { radius_m, sphere_count, onset: request.onset.get(), branch: request.branch.branch() };
@@ -88,16 +86,18 @@ impl MeasuredCurve {
 
     fn of_sheet(sheet: &Sheet, columns: &ColumnOptions) -> Result<Self, String> {
         let header = &sheet.header;
-        let find = |name: &str| sheet.column(name);
+        let column = |name: &str, unit: f64| {
+            sheet.column(name).map(|index| Column { index, unit, values: Vec::new() })
+        };
         let mut wanted = vec![
-            Column::new(find(&columns.indentation_column)?, columns.indentation_unit.metres()),
-            Column::new(find(&columns.force_column)?, columns.force_unit.newtons()),
+            column(&columns.indentation_column, columns.indentation_unit.metres())?,
+            column(&columns.force_column, columns.force_unit.newtons())?,
         ];
         if let Some(name) = &columns.speed_column {
-            wanted.push(Column::new(find(name)?, columns.speed_unit.metres_per_second()));
+            wanted.push(column(name, columns.speed_unit.metres_per_second())?);
         }
         if let Some(name) = &columns.time_column {
-            wanted.push(Column::new(find(name)?, columns.time_unit.seconds()));
+            wanted.push(column(name, columns.time_unit.seconds())?);
         }
         let mut lines = Vec::new();
         for row in &sheet.rows {
@@ -127,10 +127,4 @@ struct Column {
     index: usize,
     unit: f64,
     values: Vec<f64>,
-}
-
-impl Column {
-    fn new(index: usize, unit: f64) -> Self {
-        Self { index, unit, values: Vec::new() }
-    }
 }

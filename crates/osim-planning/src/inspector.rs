@@ -293,13 +293,9 @@ impl Inspector {
 
     /// Refuses a model that has no contacts and no other fault, so that a folder can have such models, which are skipped.
     pub fn refuse_without_contacts(&self, opened: &OpenModel, inspected: &Inspection) -> Result<(), Failure> {
+        let has_error = inspected.findings.iter().any(|finding| finding.severity == Severity::Error);
         match self.options.selection.apply(&opened.model) {
-            Err(fault)
-                if fault.code() == "no-contacts"
-                    && !inspected.findings.iter().any(|finding| finding.severity == Severity::Error) =>
-            {
-                Err(opened.failure(fault))
-            }
+            Err(fault) if fault.code() == "no-contacts" && !has_error => Err(opened.failure(fault)),
             _ => Ok(()),
         }
     }

@@ -47,9 +47,7 @@ pub struct MotionResult {
 /// # Errors
 /// A file that cannot be read, a motion of another model, or a model whose pose is not known.
 pub fn run_motion(request: &MotionRequest, files: &dyn Files) -> Result<MotionResult, RequestError> {
-    let Some(subject) = &request.subject else {
-        return Err(RequestFault::Missing { field: "subject" }.into());
-    };
+    let subject = request.subject.as_ref().ok_or(RequestFault::Missing { field: "subject" })?;
     let opened = open_with(subject, request.set_files.companion_paths(), files)?;
     let mut result = run_opened(request, opened, files)?;
     result.next = NextModels::new(request, &result, files)?;
@@ -95,14 +93,14 @@ pub(crate) fn run_opened(
         && measured.total.iter().all(Option::is_none)
     {
         let why = "it has no time in common with the motion";
-        return Err(Failure::outside(read.name(), "motion", why).into());
+        return Err(Failure::outside(read.file.as_path(), "motion", why).into());
     }
     let plates = result.plates.as_ref().zip(result.measured.as_ref());
     if let Some((read, what)) =
         plates.and_then(|(read, measured)| Some((read, unusable_force_of_plates(measured)?)))
     {
         let why = format!("it has {what}: correct the table");
-        return Err(Failure::outside(read.name(), "motion", why).into());
+        return Err(Failure::outside(read.file.as_path(), "motion", why).into());
     }
     result.is_corrected = table.corrected;
     if request.correct.is_some() {
@@ -262,10 +260,6 @@ impl PlatesRead {
         let (file, from, to) = (shown(&name), readable(longest.from_s), readable(longest.to_s));
         let text = "the measured forces are taken along straight lines there";
         Some(format!("{file}: rows are missing in {count} from {from} to {to} s; {text}"))
-    }
-
-    pub fn name(&self) -> &Path {
-        &self.file
     }
 }
 

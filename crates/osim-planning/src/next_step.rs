@@ -80,9 +80,7 @@ impl MocoStart {
 
 /// The same motion with smooth contacts, corrected to these: they press a little more than Hunt and Crossley's.
 fn with_smooth_contacts(request: &MotionRequest, files: &dyn Files) -> Result<MotionResult, RequestError> {
-    let Some(subject) = &request.subject else {
-        return Err(RequestFault::Missing { field: "subject" }.into());
-    };
+    let subject = request.subject.as_ref().ok_or(RequestFault::Missing { field: "subject" })?;
     let convert = ConvertRequest {
         models: vec![subject.clone()],
         to: Some(ClassChoice::Smooth),

@@ -142,15 +142,8 @@ fn plotted_body(
             let asked = request.answers.require_yes(unexplained_mass(&given_masses, &open.model, &selection));
             asked.map_err(|kind| open.failure(Fault::new(kind)))?;
             let selected = selection.apply(&open.model).map_err(|fault| open.failure(fault))?;
-            let failed = |fault| open.failure(fault);
-            Ok(ContactBody::from_model(
-                name.to_owned(),
-                &open.model,
-                &selected.forces,
-                &masses,
-                &stance,
-                &failed,
-            )?)
+            let (name, forces, failed) = (name.to_owned(), &selected.forces, |fault| open.failure(fault));
+            Ok(ContactBody::from_model(name, &open.model, forces, &masses, &stance, &failed)?)
         }
     }
 }

@@ -66,10 +66,6 @@ pub struct DesignLimit {
 }
 
 impl DesignSheet {
-    fn new() -> Self {
-        Self { schema_version: SCHEMA_VERSION, figures: Vec::new(), remarks: Vec::new() }
-    }
-
     fn add(&mut self, quantity: DesignQuantity, value: f64, given: bool) {
         self.add_with_equation(quantity.info().equation, quantity, value, given);
     }
@@ -187,7 +183,7 @@ pub fn design_sheet(request: &DesignRequest) -> Result<DesignSheet, RequestFault
     let inputs = DesignInputs::new(request)?;
     let load = inputs.shared_load().map_err(domain_fault)?;
     let given_quantities = inputs.known_quantities(load.as_ref());
-    let mut sheet = DesignSheet::new();
+    let mut sheet = DesignSheet { schema_version: SCHEMA_VERSION, figures: Vec::new(), remarks: Vec::new() };
     let (sizing, at_rest) = solve_at_rest(&given_quantities, &inputs, request)?;
     match &sizing {
         Some(sizing) => add_sizing(&mut sheet, sizing, &given_quantities, &inputs, load.as_ref(), at_rest)?,
@@ -363,8 +359,7 @@ fn add_smoothing(
     };
     let wanted = &request.wanted;
     let t = wanted.threshold.get();
-    let mut cf = None;
-    let mut bd = None;
+    let (mut cf, mut bd) = (None, None);
     if let Some(x) = wanted.constant_indentation.map(ConstantIndentation::get) {
         let radius = need(Input::ConstantIndentation)?;
         let value = smoothing::constant_contact_force(x, radius).map_err(domain_fault)?;

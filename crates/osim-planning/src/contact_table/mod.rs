@@ -130,13 +130,8 @@ impl ContactCells<'_> {
 
     fn read_radius(&self, column: usize) -> Result<f64, TableFault> {
         let radius = self.read_number(column)?;
-        if radius > 0.0 {
-            return Ok(radius);
-        }
-        Err(self.fault_at(
-            column,
-            format!("'{}' is not a radius, expected metres above 0", self.cell_text(column)),
-        ))
+        let why = format!("'{}' is not a radius, expected metres above 0", self.cell_text(column));
+        if radius > 0.0 { Ok(radius) } else { Err(self.fault_at(column, why)) }
     }
 
     fn read_place(&self, [x, y, z]: [usize; 3]) -> Result<[f64; 3], TableFault> {
@@ -257,13 +252,9 @@ impl ContactColumns {
         {
             [None, None, None] => Ok(None),
             [Some(x), Some(y), Some(z)] => Ok(Some([x, y, z])),
-            [x, y, _] => Err(missing(&name(if x.is_none() {
-                "x"
-            } else if y.is_none() {
-                "y"
-            } else {
-                "z"
-            }))),
+            [None, ..] => Err(missing(&name("x"))),
+            [_, None, _] => Err(missing(&name("y"))),
+            _ => Err(missing(&name("z"))),
         };
         let columns = Self {
             name: at(ColumnMeaning::Name).ok_or_else(|| missing("name"))?,

@@ -57,11 +57,9 @@ impl TablePlace {
             Self::Exported { global_m: Some(global), local_m } => (global, local_m),
         };
         let frame = pose().placement(body).map_err(PlaceFault::Pose)?;
-        if let Some(local) = local {
-            let apart = frame.point(local).distance(global.into());
-            if apart > SAME_PLACE_M {
-                return Err(PlaceFault::Disagree(apart));
-            }
+        let apart = local.map(|local| frame.point(local).distance(global.into()));
+        if let Some(apart) = apart.filter(|apart| *apart > SAME_PLACE_M) {
+            return Err(PlaceFault::Disagree(apart));
         }
         match local {
             _ if coincides_with_ground(frame) => Ok(as_given(global)),

@@ -82,19 +82,12 @@ fn smoothing_sentence(values: &[f64; 3], count: usize) -> Phrase {
 pub(crate) fn findings_on_smoothing(model: &Model) -> Vec<Finding> {
     let options = InspectOptions::default();
     let inspection = options.inspect("", model, None);
-    let findings = check_model(
-        &options,
-        model,
-        &inspection,
-        &[],
-        prepared_change::find_other_changeable_values(&options, model, true),
-    )
-    .findings
-    .into_iter();
-    findings
-        .filter(|finding| matches!(finding.code(), FindingCode::Floats | FindingCode::ForceBeforeContact))
-        .map(with_advice)
-        .collect()
+    let changeable = prepared_change::find_other_changeable_values(&options, model, true);
+    let is_of_smoothing = |finding: &FindingWithRemedy| {
+        matches!(finding.code(), FindingCode::Floats | FindingCode::ForceBeforeContact)
+    };
+    let findings = check_model(&options, model, &inspection, &[], changeable).findings.into_iter();
+    findings.filter(is_of_smoothing).map(with_advice).collect()
 }
 
 /// The finding without its place, for a model that is not written yet, and with advice for this call instead of a remedy.

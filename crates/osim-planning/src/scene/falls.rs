@@ -12,7 +12,7 @@ use serde::Serialize;
 const HEIGHT_OF_FALLS: DropHeight = DropHeight::Radii(0.25);
 /// The number of moments of a fall that are shown.
 const MOMENTS_OF_FALL: usize = 361;
-/// The duration of a fall, in √(R/g). A body that bounces like feet is at rest before.
+/// The duration of a fall, in √(R/g). A body that bounces like feet is at rest before. In this unit, bodies of all sizes fall alike.
 const DURATION_IN_TIME_UNITS: f64 = 12.0;
 
 /// A body that falls on its contacts.
@@ -69,8 +69,6 @@ impl BodyFall {
 
 /// The height from which animals of the paper's Table 1 fall, in radii, as in the drop tests of the paper.
 const ANIMAL_DROP_HEIGHT_RADII: f64 = 0.25;
-/// The duration of the animals' falls, in √(R/g). In this unit, bodies of all sizes fall alike.
-const ANIMAL_DURATION_IN_TIME_UNITS: f64 = 12.0;
 const ANIMAL_MOMENTS: usize = 181;
 const ANIMALS_SHOWN: [&str; 3] = ["mouse", "human", "giraffe"];
 
@@ -109,7 +107,7 @@ impl AnimalFall {
 fn heights_in_radii(contact: &Contact, animal: &Animal) -> Result<Vec<f64>, DropError> {
     let scale = animal.scale();
     let radius_m = scale.radius_m();
-    let duration_s = ANIMAL_DURATION_IN_TIME_UNITS * (radius_m / scale.gravity_m_s2()).sqrt();
+    let duration_s = DURATION_IN_TIME_UNITS * (radius_m / scale.gravity_m_s2()).sqrt();
     let report: DropReport = DropTest::of(contact, &scale, ANIMAL_DROP_HEIGHT_RADII, duration_s)?.run()?;
     let last = report.series.len().saturating_sub(1);
     let moment = |index: usize| report.series.get(index * last / (ANIMAL_MOMENTS - 1));

@@ -99,17 +99,12 @@ fn axes_and_origin(placement: &Placement) -> [[f64; 3]; 4] {
     [x, y, z, placement.translation_m].map(DVec3::into)
 }
 
-struct RestingLoad {
-    force_bw: f64,
-    relative_indentation: f64,
-}
-
-/// The force and the indentation of each sphere, if the body stands on all its spheres.
+/// The force in body weights and the relative indentation of each sphere, if the body stands on all its spheres.
 fn loads_at_rest(
     model: &Model,
     forces: &[ForceId],
     options: &InspectOptions,
-) -> HashMap<SphereId, RestingLoad> {
+) -> HashMap<SphereId, (f64, f64)> {
     let mut loads = HashMap::new();
     // The contacts may be made for another mass than the bodies have before they are scaled.
     let mass_kg = options.masses.model_mass(model).ok().map(|mass| mass.kg);
@@ -118,12 +113,9 @@ fn loads_at_rest(
         let all: Vec<SphereId> = standing.spheres.iter().map(|over| over.sphere).collect();
         let Some(Ok(rest)) = standing.rest_on_floor(&all, share) else { continue };
         for one in &rest.spheres {
-            let load = RestingLoad {
-                force_bw: one.force_n / rest.load_n,
-                relative_indentation: one.relative_indentation,
-            };
-            if load.force_bw.is_finite() && load.relative_indentation.is_finite() {
-                loads.insert(one.sphere, load);
+            let (force_bw, indentation) = (one.force_n / rest.load_n, one.relative_indentation);
+            if force_bw.is_finite() && indentation.is_finite() {
+                loads.insert(one.sphere, (force_bw, indentation));
             }
         }
     }
@@ -134,7 +126,7 @@ fn placed_spheres(
     model: &Model,
     forces: &[ForceId],
     pose: &DefaultPose,
-    loads: &HashMap<SphereId, RestingLoad>,
+    loads: &HashMap<SphereId, (f64, f64)>,
 ) -> Vec<SceneSphere> {
     let limbs = model.limbs(forces);
     let limbs = limbs.if_known().unwrap_or_default().iter();
@@ -143,7 +135,7 @@ fn placed_spheres(
     let moving = model.spheres().iter().filter(|sphere| !sphere.fixed);
     let placed = moving.filter_map(|sphere| {
         let body = sphere.body.clone()?;
-        let load = loads.get(&sphere.id);
+        let (force_bw, relative_indentation) = loads.get(&sphere.id).copied().unzip();
         let radius_m = sphere.round_radius_m().ok()?;
         let centre_m = pose.placement(&body).ok()?.point(model.centre_m(sphere.id)?);
         Some(SceneSphere {
@@ -153,8 +145,8 @@ fn placed_spheres(
             body,
             centre_m: centre_m.into(),
             radius_m,
-            force_bw: load.map(|load| load.force_bw),
-            relative_indentation: load.map(|load| load.relative_indentation),
+            force_bw,
+            relative_indentation,
         })
     });
     placed.filter(|sphere| sphere.centre_m.iter().all(|value| value.is_finite())).collect()

@@ -173,25 +173,13 @@ pub const BROKEN_FORMULA_MESSAGE: &str =
 
 /// Whether the cell is the text that spreadsheets write for a formula without a value, such as `#REF!` and `#N/A`.
 pub(crate) fn is_broken_formula(cell: &str) -> bool {
-    const FORMULA_ERRORS: [&str; 12] = [
-        "#REF!",
-        "#N/A",
-        "#VALUE!",
-        "#NAME?",
-        "#DIV/0!",
-        "#NUM!",
-        "#NULL!",
-        "#SPILL!",
-        "#CALC!",
-        "#FIELD!",
-        "#GETTING_DATA",
-        "#ERROR!",
-    ];
+    const FORMULA_ERRORS: &str =
+        "#REF! #N/A #VALUE! #NAME? #DIV/0! #NUM! #NULL! #SPILL! #CALC! #FIELD! #GETTING_DATA #ERROR!";
     let cell = trimmed(cell);
     // LibreOffice writes Err:502, for example.
     let numbered =
         cell.strip_prefix("Err:").is_some_and(|rest| rest.bytes().all(|byte| byte.is_ascii_digit()));
-    numbered || FORMULA_ERRORS.iter().any(|known| known.eq_ignore_ascii_case(cell))
+    numbered || FORMULA_ERRORS.split(' ').any(|known| known.eq_ignore_ascii_case(cell))
 }
 
 fn with_decimal_point(cell: &str, delimiter: u8) -> Result<Cow<'_, str>, &'static str> {

@@ -115,6 +115,12 @@ fn refuse_useless_options(request: &DesignRequest) -> Result<(), RequestFault> {
     Ok(())
 }
 
+impl Planner for DesignPlanner {
+    fn plan(&self, model: &Model) -> Result<Plan, Fault> {
+        self.plan_for(model, &self.selection.apply(model)?)
+    }
+}
+
 impl DesignPlanner {
     fn load_per_sphere(
         &self,
@@ -150,15 +156,7 @@ impl DesignPlanner {
         let origin = ContactsOrigin::find(model, &selected.forces, &self.masses, &Stance::default()).ok()?;
         origin.refuse_other_body(model, &self.masses, Input::ContactsMass).ok().map(|()| origin.mass)
     }
-}
 
-impl Planner for DesignPlanner {
-    fn plan(&self, model: &Model) -> Result<Plan, Fault> {
-        self.plan_for(model, &self.selection.apply(model)?)
-    }
-}
-
-impl DesignPlanner {
     /// Plans the design of the forces `selected` of `model`.
     pub(super) fn plan_for(&self, model: &Model, selected: &Selected) -> Result<Plan, Fault> {
         let options = &self.wanted;

@@ -52,9 +52,7 @@ struct FitPlanner {
 /// # Errors
 /// Files that are missing or do not go together.
 pub(crate) fn prepare(request: FitRequest, files: &dyn Files) -> Result<PreparedChange, RequestError> {
-    let Some(model) = request.file.clone() else {
-        return Err(RequestFault::Missing { field: "file" }.into());
-    };
+    let model = request.file.clone().ok_or(RequestFault::Missing { field: "file" })?;
     let (motions, plates, loads) = (&request.motion, &request.plates, &request.loads);
     if plates.len() != motions.len() || !(loads.len() <= 1 || loads.len() == motions.len()) {
         let why = phrase![

@@ -1,8 +1,8 @@
 //! The verb `note`: writes into the model for which mass and how many limbs its contacts were made.
 
+use osim_model::Model;
 use osim_model::messages::{Input, Verb, phrase};
-use osim_model::{Fault, MassRequest, Model};
-use osim_patch::{Plan, note, note_stance_limbs};
+use osim_patch::{note, note_stance_limbs};
 use osim_requests::options::{InspectionOptions, MassOptions};
 use osim_requests::{Acceleration, Count, NoteRequest, RequestFault};
 
@@ -21,17 +21,9 @@ enum NewNote {
 /// # Errors
 /// No model, no mass, or no note.
 pub(super) fn prepare(request: NoteRequest) -> Result<PreparedChange, RequestFault> {
-    let NoteRequest {
-        models,
-        contacts_mass,
-        contacts_gravity,
-        stance_limbs,
-        output,
-        run: _,
-        answers,
-        set_files,
-    } = request;
-    if models.is_empty() {
+    let NoteRequest { contacts_mass, contacts_gravity, stance_limbs, output, answers, set_files, .. } =
+        request;
+    if request.models.is_empty() {
         return Err(RequestFault::Missing { field: "models" });
     }
     let noted = match (contacts_mass, stance_limbs) {
@@ -54,23 +46,14 @@ pub(super) fn prepare(request: NoteRequest) -> Result<PreparedChange, RequestFau
     let masses = MassOptions { contacts_mass, ..MassOptions::default() };
     let gravity_m_s2 = contacts_gravity.map(Acceleration::get);
     let known_masses = masses.request();
-    let planner = move |model: &Model| plan_note(model, &noted, gravity_m_s2, &known_masses);
-    let inspection = InspectionOptions { masses, set_files, answers, ..InspectionOptions::default() };
-    Ok(PreparedChange::new(Verb::Note, models, output, inspection, planner))
-}
-
-fn plan_note(
-    model: &Model,
-    noted: &NewNote,
-    gravity_m_s2: Option<f64>,
-    masses: &MassRequest,
-) -> Result<Plan, Fault> {
-    match *noted {
+    let planner = move |model: &Model| match noted {
         NewNote::Mass(kg, limbs) => {
             let mut plan = note(model, kg, gravity_m_s2.or(model.gravity()), limbs)?;
-            plan.findings.extend(masses.disagreement_with_note(model));
+            plan.findings.extend(known_masses.disagreement_with_note(model));
             Ok(plan)
         }
         NewNote::StanceLimbs(limbs) => Ok(note_stance_limbs(model, limbs)),
-    }
+    };
+    let inspection = InspectionOptions { masses, set_files, answers, ..InspectionOptions::default() };
+    Ok(PreparedChange::new(Verb::Note, request.models, output, inspection, planner))
 }

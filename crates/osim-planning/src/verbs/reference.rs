@@ -94,15 +94,13 @@ pub(super) fn reference_from_file(
     let mass_of_published =
         if request.follow.follow_bodies { MassOfPublished::OfBodies } else { MassOfPublished::AskCaller };
     let read = || reference_of_opened(request, from, &open(from, files)?, mass_of_published, files);
-    read().map_err(|failure: Failure| match failure.code {
+    read().map_err(|mut failure: Failure| {
         // The usual advice is for the model that gets the contacts.
-        "incomplete-set" => {
-            let mut failure = failure;
-            failure.message =
-                "a set without its model cannot be a reference: name the model it belongs to".into();
-            failure
+        if failure.code == "incomplete-set" {
+            let why = "a set without its model cannot be a reference: name the model it belongs to";
+            failure.message = why.into();
         }
-        _ => failure,
+        failure
     })
 }
 

@@ -41,20 +41,8 @@ pub(crate) fn prepare_with_factors(
     request: RescaleRequest,
     bodies: Option<ScaleFile>,
 ) -> Result<PreparedChange, RequestFault> {
-    let RescaleRequest {
-        models,
-        target_mass,
-        masses,
-        scaling,
-        body_scale_file,
-        follow_bodies,
-        choice,
-        output,
-        run: _,
-        answers,
-        set_files,
-    } = request;
-    let Some(target_mass) = target_mass else {
+    let RescaleRequest { models, masses, scaling, choice, output, answers, set_files, .. } = request;
+    let Some(target_mass) = request.target_mass else {
         return Err(RequestFault::refused(
             Input::TargetMass,
             phrase![
@@ -73,7 +61,7 @@ pub(crate) fn prepare_with_factors(
         scaling,
         following: match bodies {
             Some(file) => BodyFactors::File(file),
-            None if follow_bodies => BodyFactors::Note,
+            None if request.follow_bodies => BodyFactors::Note,
             None => BodyFactors::Nothing,
         },
         may_repeat: output.may_repeat(),
@@ -82,7 +70,7 @@ pub(crate) fn prepare_with_factors(
     Ok(PreparedChange {
         target_mass_kg,
         target_gravity_m_s2,
-        extra_files: body_scale_file.into_iter().collect(),
+        extra_files: request.body_scale_file.into_iter().collect(),
         ..PreparedChange::new(Verb::Rescale, models, output, inspection, planner)
     })
 }

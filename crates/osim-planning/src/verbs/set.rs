@@ -3,7 +3,7 @@
 use osim_inspect::{ContactsOrigin, Stance};
 use osim_model::feet::{NotLevelled, levelled_spheres};
 use osim_model::messages::{Input, Verb, phrase};
-use osim_model::{Fault, ForceId, Mass, MassRequest, MassSource, Model, Selected, Selection, SphereId};
+use osim_model::{Fault, ForceId, Mass, MassRequest, MassSource, Model, Selection, SphereId};
 use osim_patch::{Plan, Set, set};
 use osim_requests::options::InspectionOptions;
 use osim_requests::{Assignments, RequestFault, SetRequest};
@@ -51,39 +51,23 @@ impl Planner for SetPlanner {
         let noted_mass =
             || Some(Mass { kg: model.note.as_ref()?.contacts_mass_kg?, source: MassSource::Note });
         let origin = ContactsOrigin::find(model, &selected.forces, &self.masses, &Stance::default());
-        let (contacts_mass, mut findings) = match origin {
+        let (contacts_mass, findings) = match origin {
             Ok(origin) => (Some(origin.mass), origin.findings),
             Err(_) => (noted_mass(), Vec::new()),
         };
         let mut wanted = Set::new(self.assignments.as_slice().to_vec());
         wanted.contacts_mass = contacts_mass;
         wanted.repeat = self.may_repeat;
-        if self.level {
-            wanted.level = Some(self.level_places(model, &selected, &wanted)?);
+        if self.level && self.assignments.is_empty() {
+            wanted.level = Some(level_places(model, &selected.forces)?);
+        } else if self.level {
+            // The radii of the spheres are the new ones.
+            let changed = set(model, &selected, &wanted)?.changed_model(model)?;
+            wanted.level = Some(level_places(&changed, &selected.forces)?);
         }
         let mut plan = set(model, &selected, &wanted)?;
-        plan.findings.append(&mut findings);
+        plan.findings.extend(findings);
         Ok(plan)
-    }
-}
-
-impl SetPlanner {
-    /// The new centres of spheres with which the feet are level, if the radii are the new ones.
-    fn level_places(
-        &self,
-        model: &Model,
-        selected: &Selected,
-        wanted: &Set,
-    ) -> Result<Vec<(SphereId, [f64; 3])>, Fault> {
-        let changed;
-        let model = match self.assignments.is_empty() {
-            true => model,
-            false => {
-                changed = set(model, selected, wanted)?.changed_model(model)?;
-                &changed
-            }
-        };
-        level_places(model, &selected.forces)
     }
 }
 

@@ -28,9 +28,7 @@ use crate::remarks::{operation_with_radius, refuse_repetition, remark_on_noted_l
 /// The reference is neither a preset nor a file, or a model that cannot be a reference; or options have no effect.
 pub(super) fn prepare(request: TransferRequest, files: &dyn Files) -> Result<PreparedChange, RequestError> {
     refuse_useless_options(&request)?;
-    let Some(from) = request.from.clone() else {
-        return Err(RequestFault::Missing { field: "from" }.into());
-    };
+    let from = request.from.clone().ok_or(RequestFault::Missing { field: "from" })?;
     let named = NamedSource::find(&from, Some(Input::From), request.presets.as_deref(), files)?;
     let is_file = matches!(named, NamedSource::File);
     if !is_file && request.follow.follow_bodies {
@@ -61,17 +59,13 @@ pub(super) fn prepare(request: TransferRequest, files: &dyn Files) -> Result<Pre
     let TransferRequest { models, output, masses, choice, set_files, answers, .. } = request.clone();
     let stance = request.counts.stance_options(None, None);
     let inspection = InspectionOptions { stance, masses, choice, set_files, answers };
+    let target_gravity_m_s2 = request.scaling.target_gravity.map(Acceleration::get);
+    let planner = planner(request, reference, generic);
     Ok(PreparedChange {
         reference: Some(state),
-        target_gravity_m_s2: request.scaling.target_gravity.map(Acceleration::get),
+        target_gravity_m_s2,
         extra_files,
-        ..PreparedChange::new(
-            Verb::Transfer,
-            models,
-            output,
-            inspection,
-            planner(request, reference, generic),
-        )
+        ..PreparedChange::new(Verb::Transfer, models, output, inspection, planner)
     })
 }
 
@@ -174,14 +168,6 @@ fn refuse_senseless_radii(request: &TransferRequest) -> Result<(), RequestFault>
     Ok(())
 }
 
-/// Numbers of spheres that share the weight, in the model and in the reference.
-struct SphereCounts {
-    in_model: f64,
-    in_reference: f64,
-    /// Whether only the ratio of the two numbers is known, and not the numbers.
-    only_ratio_known: bool,
-}
-
 pub(super) struct TransferPlanner {
     pub(super) counts: CountOptions,
     pub(super) follow: FollowOptions,
@@ -226,7 +212,8 @@ impl TransferPlanner {
             }
             None => (None, Vec::new(), Vec::new()),
         };
-        let counts = self.sphere_counts(model, selected, reference, generic)?;
+        let (in_model, in_reference, only_ratio_known) =
+            self.sphere_counts(model, selected, reference, generic)?;
         let radius = self.scaling.radius.map(Radius::rule);
         let verb = if follow.is_some() { OPERATION_FOLLOWING_BODIES } else { "transfer" };
         let operation = operation_with_radius(verb, radius);
@@ -235,9 +222,9 @@ impl TransferPlanner {
         }
         let target_mass = self.masses.model_mass(model)?;
         findings.extend(self.masses.weight_disagreements(model, &target_mass));
-        let mut wanted = Transfer::new(reference.clone(), target_mass, counts.in_model);
-        wanted.reference.sphere_count = counts.in_reference;
-        wanted.counts_cancel = counts.only_ratio_known;
+        let mut wanted = Transfer::new(reference.clone(), target_mass, in_model);
+        wanted.reference.sphere_count = in_reference;
+        wanted.counts_cancel = only_ratio_known;
         wanted.reference_sphere.clone_from(&self.reference_sphere);
         wanted.radius = radius.unwrap_or(RadiusRule::Keep);
         wanted.properties = self.scaling.properties();
@@ -288,21 +275,18 @@ impl TransferPlanner {
         Ok((follow, factors))
     }
 
-    /// The numbers of spheres that share the weight. If the spheres of model and reference have the same names, one number gives the other;
-    /// if both numbers are unknown, their ratio is known.
+    /// The numbers of spheres that share the weight, in the model and in the reference, and whether only their ratio is known. If the
+    /// spheres of model and reference have the same names, one number gives the other; if both numbers are unknown, their ratio is known.
     fn sphere_counts(
         &self,
         model: &Model,
         selected: &Selected,
         reference: &Reference,
         generic: Option<&GenericModel>,
-    ) -> Result<SphereCounts, Fault> {
+    ) -> Result<(f64, f64, bool), Fault> {
         let limbs = self.counts.stance_limbs(model.noted_stance_limbs());
-        let in_model = LoadSharing::of(model, &selected.forces).count(
-            self.counts.spheres(),
-            limbs,
-            CountedSpheres::Model,
-        );
+        let sharing = LoadSharing::of(model, &selected.forces);
+        let in_model = sharing.count(self.counts.spheres(), limbs, CountedSpheres::Model);
         let in_reference = match generic {
             Some(generic) => generic.sphere_count.clone(),
             None => Ok(reference.sphere_count),
@@ -311,18 +295,10 @@ impl TransferPlanner {
         let alike =
             no_counts_given && generic.is_some_and(|generic| generic.has_same_standing_spheres(model));
         match (in_model, in_reference) {
-            (Ok(in_model), Ok(in_reference)) => {
-                Ok(SphereCounts { in_model, in_reference, only_ratio_known: false })
-            }
-            (Ok(in_model), Err(_)) if alike => {
-                Ok(SphereCounts { in_model, in_reference: in_model / limbs, only_ratio_known: false })
-            }
-            (Err(_), Ok(in_reference)) if alike => {
-                Ok(SphereCounts { in_model: in_reference * limbs, in_reference, only_ratio_known: false })
-            }
-            (Err(_), Err(_)) if alike => {
-                Ok(SphereCounts { in_model: limbs, in_reference: 1.0, only_ratio_known: true })
-            }
+            (Ok(in_model), Ok(in_reference)) => Ok((in_model, in_reference, false)),
+            (Ok(in_model), Err(_)) if alike => Ok((in_model, in_model / limbs, false)),
+            (Err(_), Ok(in_reference)) if alike => Ok((in_reference * limbs, in_reference, false)),
+            (Err(_), Err(_)) if alike => Ok((limbs, 1.0, true)),
             (Err(fault), _) | (_, Err(fault)) => Err(fault),
         }
     }

@@ -75,40 +75,25 @@ impl From<Fault> for AddFault {
 
 impl From<FeetFault> for AddFault {
     fn from(fault: FeetFault) -> Self {
-        let sentence = fault.phrase();
-        match fault {
-            FeetFault::Model(fault) => Self::from(fault),
-            FeetFault::NoBody { body, bodies } => {
-                Self::OutsideModel("no-such-body", phrase![&sentence, nearest_name_hint(&body, &bodies)])
+        let (code, sentence) = (fault.code(), fault.phrase());
+        let table = Input::Contacts.with_placeholder("TABLE");
+        let message = match fault {
+            FeetFault::Model(fault) => return Self::from(fault),
+            FeetFault::NoBody { body, bodies } => phrase![&sentence, nearest_name_hint(&body, &bodies)],
+            FeetFault::NoMesh { .. } => phrase![&sentence, ": ", table],
+            FeetFault::MeshMissing { .. } => {
+                phrase![&sentence, ": ", Input::GeometryDir.with_placeholder("DIR")]
             }
-            FeetFault::NoMesh { .. } => Self::OutsideModel(
-                "no-mesh",
-                phrase![&sentence, ": ", Input::Contacts.with_placeholder("TABLE")],
-            ),
-            FeetFault::MeshMissing { .. } => Self::OutsideModel(
-                "mesh-missing",
-                phrase![&sentence, ": ", Input::GeometryDir.with_placeholder("DIR")],
-            ),
-            FeetFault::TooManySpheres { .. } => Self::OutsideModel(
-                "too-many-spheres",
-                phrase![&sentence, " with ", Input::Count.with_placeholder("N")],
-            ),
-            FeetFault::Pose(_) => {
-                let way_out = ": give the places in a table, ";
-                Self::OutsideModel(
-                    "unknown-pose",
-                    phrase![&sentence, way_out, Input::Contacts.with_placeholder("TABLE")],
-                )
+            FeetFault::TooManySpheres { .. } => {
+                phrase![&sentence, " with ", Input::Count.with_placeholder("N")]
             }
-            other @ (FeetFault::Mesh { .. } | FeetFault::Unreadable { .. } | FeetFault::Factors { .. }) => {
-                let way_out = "; or give the places in a table: ";
-                Self::OutsideModel(
-                    other.code(),
-                    phrase![&sentence, way_out, Input::Contacts.with_placeholder("TABLE")],
-                )
+            FeetFault::Pose(_) => phrase![&sentence, ": give the places in a table, ", table],
+            FeetFault::Mesh { .. } | FeetFault::Unreadable { .. } | FeetFault::Factors { .. } => {
+                phrase![&sentence, "; or give the places in a table: ", table]
             }
-            other => Self::OutsideModel(other.code(), sentence),
-        }
+            _ => sentence,
+        };
+        Self::OutsideModel(code, message)
     }
 }
 

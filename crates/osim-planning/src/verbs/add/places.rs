@@ -1,7 +1,7 @@
 //! The places of new contacts: from a table, or under the bones of the model.
 
 use std::cell::LazyCell;
-use std::collections::HashSet;
+use std::collections::{HashMap, HashSet};
 use std::path::{Path, PathBuf};
 
 use osim_model::feet::{
@@ -283,20 +283,12 @@ fn question_about_unequal_feet(soles: &[Sole], model: &Model) -> Option<Suspicio
 
 /// The new contacts of one sole. Each has the name of the body that carries it, and a number.
 fn contacts_of_sole(sole: &Sole, numbers: &ContactNumbers) -> Result<Vec<NewContact>, AddFault> {
-    let mut counts: Vec<(&str, usize)> = Vec::new();
+    let mut counts: HashMap<&str, usize> = HashMap::new();
     let mut contacts = Vec::new();
     for sphere in &sole.spheres {
-        let count = match counts.iter_mut().find(|(body, _)| *body == sphere.body) {
-            Some((_, count)) => {
-                *count += 1;
-                *count
-            }
-            None => {
-                counts.push((&sphere.body, 1));
-                1
-            }
-        };
-        let mut contact = numbers.contact(&sphere_name(&sphere.body, count), sphere.radius_m)?;
+        let count = counts.entry(&sphere.body).or_default();
+        *count += 1;
+        let mut contact = numbers.contact(&sphere_name(&sphere.body, *count), sphere.radius_m)?;
         contact.body.clone_from(&sphere.body);
         contact.location_m = sphere.centre_m.into();
         contacts.push(contact);

@@ -235,14 +235,12 @@ impl FromReference {
             ];
             return Err(AddFault::OutsideModel("no-such-body", message));
         }
-        match missing.is_empty() {
-            true => Ok(()),
-            false => {
-                let others = self.pattern_of_others(&missing);
-                let bodies = missing.into_iter().map(str::to_owned).collect();
-                Err(Fault::new(FaultKind::MissingCarriers { bodies, others }).into())
-            }
+        if missing.is_empty() {
+            return Ok(());
         }
+        let others = self.pattern_of_others(&missing);
+        let bodies = missing.into_iter().map(str::to_owned).collect();
+        Err(Fault::new(FaultKind::MissingCarriers { bodies, others }).into())
     }
 }
 
