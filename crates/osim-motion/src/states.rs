@@ -185,12 +185,8 @@ impl ContactStates {
             for ((pair, body), surface) in pairs.iter().zip(&sphere_bodies).zip(&surfaces) {
                 let Some(moving) = body.and_then(|body| places.get(body)) else { continue };
                 let belt_m_s = if pair.is_ground { belt.at(frame) } else { DVec3::ZERO };
-                states.push(contact_state(
-                    pair,
-                    moving,
-                    &surface.at(&places, moving.at.point(pair.centre_m)),
-                    belt_m_s,
-                ));
+                let surface = surface.at(&places, moving.at.point(pair.centre_m));
+                states.push(contact_state(pair, moving, &surface, belt_m_s));
             }
         }
         let loops = paths.loops.clone();

@@ -191,6 +191,7 @@ impl FootSummary {
         let stances = StancePhase::all(&states.time_s, standing.as_deref().unwrap_or(&forces), weight_n);
         let deepest: Vec<Option<&ContactState>> =
             (0..states.frames()).map(|frame| foot.deepest_contact(states, frame)).collect();
+        let depth_in_frames = deepest.iter().flatten().map(|state| state.indentation_m);
         let standing_states: Vec<&ContactState> =
             stances.iter().flat_map(StancePhase::frames).filter_map(|frame| *deepest.get(frame)?).collect();
         let depths: Vec<f64> = standing_states.iter().map(|state| state.indentation_m).collect();
@@ -203,11 +204,7 @@ impl FootSummary {
             lost_in_stride_j: lost_in_stride_j(states, foot, &strides(&stances)),
             stance_depth_m: percentile(0.5),
             stance_scatter_m: percentile(0.95).zip(percentile(0.05)).map(|(high, low)| high - low),
-            deepest_m: deepest
-                .iter()
-                .flatten()
-                .map(|state| state.indentation_m)
-                .fold(f64::NEG_INFINITY, f64::max),
+            deepest_m: depth_in_frames.fold(f64::NEG_INFINITY, f64::max),
             stance_slip_m_s: median_slip_m_s(&standing_states),
             spheres: foot.pairs.iter().map(|&pair| SphereSummary::of(states, pair)).collect(),
             comparison: on
@@ -274,11 +271,8 @@ impl SphereSummary {
         let (deepest, largest_relative_indentation) = largest_with_index(&relative);
         let beyond =
             |limit: f64| duration_s(&states.time_s, |frame| relative.get(frame).is_some_and(|&x| x > limit));
-        let slips: Vec<f64> = all
-            .iter()
-            .filter(|state| state.indentation_m > 0.0)
-            .map(|state| state.slip_speed_m_s())
-            .collect();
+        let touching = all.iter().filter(|state| state.indentation_m > 0.0);
+        let slips: Vec<f64> = touching.map(|state| state.slip_speed_m_s()).collect();
         Self {
             pair,
             peak_n: all.iter().map(|state| state.normal_force_n).fold(f64::NEG_INFINITY, f64::max),

@@ -68,11 +68,8 @@ impl PreparedChange {
             let text = "the model has no <credits>: they are added for the note, because OpenSim drops comments when it saves";
             plan.remarks.push(text.into());
         }
-        plan.remarks.extend(describe_unmatched_patterns(
-            &self.options.selection,
-            &self.options.masses,
-            model,
-        ));
+        let InspectOptions { selection, masses, .. } = &self.options;
+        plan.remarks.extend(describe_unmatched_patterns(selection, masses, model));
         Ok(plan)
     }
 

@@ -111,12 +111,8 @@ pub fn correct(
         goals: wrenches.iter().map(|wrench| wrench.as_ref().map(|wrench| goal(foot, wrench))).collect(),
     };
     let goals: Vec<FootGoals<'_>> = measured.feet.iter().enumerate().map(goals_of_foot).collect();
-    if !goals
-        .iter()
-        .flat_map(|foot| &foot.goals)
-        .flatten()
-        .any(|goal| goal.normal_n > TOUCH_DOWN_BW * weight_n)
-    {
+    let mut all = goals.iter().flat_map(|foot| &foot.goals).flatten();
+    if !all.any(|goal| goal.normal_n > TOUCH_DOWN_BW * weight_n) {
         return Err(CorrectionError::NoForce);
     }
     // Without goals along the floor, the feet themselves show the belt.
@@ -156,13 +152,8 @@ pub fn correct(
     let floor_up_m = options.floor_up_m.unwrap_or(unknowns[place]);
     let along = |recording: &Recording| states.along(model, recording, &belt);
     let (before, after) = (along(&unmoved)?, along(&in_place)?);
-    let figures = CorrectionFigures::new(
-        &setting,
-        (&before, &after),
-        (feet, measured),
-        (normal, on_floor_m),
-        (&unknowns, floor_up_m),
-    );
+    let (both, floor, found_values) = ((&before, &after), (normal, on_floor_m), (&*unknowns, floor_up_m));
+    let figures = CorrectionFigures::new(&setting, both, (feet, measured), floor, found_values);
     let motions = [(&unmoved, &before), (&in_place, &after)];
     let dynamics =
         InverseDynamics::compare(&masses, &search.couplers, motions, (feet, measured), &found, weight_n)?;
@@ -206,10 +197,9 @@ impl Search<'_> {
                 break;
             }
             for stage in if pass == 0 { 0 } else { LAST_STAGE }..=LAST_STAGE {
-                problem.stage = Stage {
-                    soft_m: SOFT_DEPTHS_OF_STAGES_M[stage],
-                    transition: TRANSITION_FACTORS_OF_STAGES[stage],
-                };
+                let (soft_m, transition) =
+                    (SOFT_DEPTHS_OF_STAGES_M[stage], TRANSITION_FACTORS_OF_STAGES[stage]);
+                problem.stage = Stage { soft_m, transition };
                 cost = minimise(&problem, unknowns);
             }
         }

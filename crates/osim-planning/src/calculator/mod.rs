@@ -276,11 +276,8 @@ fn add_sizing(
     sheet.add_at_rest(smoothed, DesignQuantity::ContactStiffness, k, known.stiffness_n_m.is_some());
     let one = SharedLoad::new(load_n, 1.0).map_err(domain_fault)?;
     let dimensionless = stiffness::dimensionless(k, radius, &one).map_err(domain_fault)?;
-    sheet.add(
-        DesignQuantity::DimensionlessStiffness,
-        dimensionless,
-        inputs.depth == Input::DimensionlessStiffness,
-    );
+    let is_given = inputs.depth == Input::DimensionlessStiffness;
+    sheet.add(DesignQuantity::DimensionlessStiffness, dimensionless, is_given);
     let stress = patch::mean_stress(load_n, radius, x).map_err(domain_fault)?;
     sheet.add(DesignQuantity::MeanContactStress, stress, inputs.depth == Input::Stress);
     if inputs.depth == Input::Stress {
@@ -299,9 +296,8 @@ fn add_sizing(
         sheet.add(DesignQuantity::EquilibriumFrequency, frequency, false);
     }
     sheet.remarks.extend(at_rest.and_then(RestingContact::remark));
-    sheet
-        .remarks
-        .extend(ways_within_hertz(x).map(|ways| format!("Hertz' law is not accurate at this x/R: {ways}")));
+    let ways = ways_within_hertz(x).map(|ways| format!("Hertz' law is not accurate at this x/R: {ways}"));
+    sheet.remarks.extend(ways);
     if x > 1.0 {
         let text = "a relative indentation above 1: the sphere is softer than its load allows";
         sheet.remarks.push(text.to_owned());

@@ -242,10 +242,8 @@ impl ContactColumns {
             used_columns.iter().find(|(known, _)| *known == column_meaning).map(|(_, index)| *index)
         };
         let missing = |what: &str| {
-            TableFault::of_header(
-                0,
-                format!("no column '{what}' in the first row, which has {}", sheet.listed_columns()),
-            )
+            let known = sheet.listed_columns();
+            TableFault::of_header(0, format!("no column '{what}' in the first row, which has {known}"))
         };
         let triple = |column_meaning: fn(usize) -> ColumnMeaning, name: fn(&str) -> String| match [0, 1, 2]
             .map(|axis| at(column_meaning(axis)))

@@ -46,13 +46,8 @@ pub(super) fn prepare(request: ConvertRequest) -> Result<PreparedChange, Request
     refuse_geometry_output(&request.output)?;
     if request.sockets {
         let inspection = InspectionOptions { answers: request.answers, ..InspectionOptions::default() };
-        return Ok(PreparedChange::new(
-            Verb::Convert,
-            request.models,
-            request.output,
-            inspection,
-            plan_sockets,
-        ));
+        let (models, output) = (request.models, request.output);
+        return Ok(PreparedChange::new(Verb::Convert, models, output, inspection, plan_sockets));
     }
     let Some(to) = request.to else { return Err(RequestFault::Missing { field: "to" }) };
     refuse_smoothing(&request, to.kind())?;
@@ -78,16 +73,10 @@ fn refuse_smoothing(request: &ConvertRequest, to: ForceKind) -> Result<(), Reque
         (Input::HuntCrossleySmoothing, request.hunt_crossley_smoothing),
     ];
     let given = smoothing.into_iter().find_map(|(input, value)| value.map(|_| input));
-    match given.filter(|_| to == ForceKind::HuntCrossley) {
-        Some(input) => {
-            let needs = phrase![
-                "{} needs {}: a HuntCrossleyForce is not smoothed";
-                input, Input::To.with_value("smooth")
-            ];
-            Err(RequestFault::refused(input, needs))
-        }
-        None => Ok(()),
-    }
+    let Some(input) = given.filter(|_| to == ForceKind::HuntCrossley) else { return Ok(()) };
+    let smooth = Input::To.with_value("smooth");
+    let needs = phrase!["{} needs {}: a HuntCrossleyForce is not smoothed"; input, smooth];
+    Err(RequestFault::refused(input, needs))
 }
 
 impl Planner for ConvertPlanner {

@@ -131,11 +131,8 @@ impl DesignPlanner {
             return Ok((None, None));
         }
         let sharing = LoadSharing::of(model, &selected.forces);
-        let count = sharing.count(
-            self.counts.spheres(),
-            self.counts.stance_limbs(model.noted_stance_limbs()),
-            CountedSpheres::Model,
-        )?;
+        let limbs = self.counts.stance_limbs(model.noted_stance_limbs());
+        let count = sharing.count(self.counts.spheres(), limbs, CountedSpheres::Model)?;
         let (load_n, mass) = match self.load.load {
             Some(load) => (load.get(), None),
             None => {

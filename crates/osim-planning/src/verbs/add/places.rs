@@ -213,9 +213,8 @@ impl FeetPlaces {
         }
         let bodies: Vec<&str> = self.bodies.iter().map(String::as_str).collect();
         let bones = bones(model, &bodies, &folders, files)?;
-        answers
-            .require_yes(bones.iter().find_map(|bone| question_about_mesh_size(model, bone)))
-            .map_err(Fault::new)?;
+        let doubt = bones.iter().find_map(|bone| question_about_mesh_size(model, bone));
+        answers.require_yes(doubt).map_err(Fault::new)?;
         let nothing = |folder: &&PathBuf| !bones.iter().any(|bone| bone.file.starts_with(folder));
         if let Some(folder) =
             self.geometry_dir.as_ref().filter(nothing).filter(|folder| !files.exists(folder))

@@ -144,13 +144,9 @@ fn places_of_request(
             ];
             return Err(RequestFault::refused(Input::Radius, message).into());
         }
-        let name = path.display().to_string();
-        return Ok(Some(NewSpherePlaces::Table(TablePlaces {
-            name,
-            table,
-            at_default_pose: request.default_pose,
-            radius_m,
-        })));
+        let (name, at_default_pose) = (path.display().to_string(), request.default_pose);
+        let places = TablePlaces { name, table, at_default_pose, radius_m };
+        return Ok(Some(NewSpherePlaces::Table(places)));
     }
     let (false, Some(count), Some(pad)) =
         (request.feet.is_empty(), request.count, request.pad.map(Metres::get))
