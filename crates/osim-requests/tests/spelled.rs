@@ -67,7 +67,7 @@ const EXAMPLES: &str = r##"{
     "dissipation": 1.5, "name": "falisse2022", "topics": ["C.2", "x/R"], "ascii": true,
     "motion": "walk 1.mot", "plates": "grf.mot", "loads": "grf.xml", "angles": "degrees", "low_pass": 6, "plates_delay": -0.05, "belt": -1.25, "belt_column": "belt speed",
     "moco_setup": "my walk.omoco", "from_moco_setup": "walk.omoco",
-    "fit": ["height"], "unbounded": true, "height_in": "spheres", "start": -0.5, "end": 2, "correct": "b.sto", "vertical": true, "floor": -0.01, "error": "6mm,2deg", "sockets": true
+    "fit": ["height"], "unbounded": true, "height_in": "spheres", "start": -0.5, "end": 2, "correct": "b.sto", "vertical": true, "floor": -0.01, "error": "6mm,2deg", "moco": "moco folder", "nmsm": "nmsm", "sockets": true
 }"##;
 
 /// A value of a field for a verb to which the value in [`EXAMPLES`] does not apply.

@@ -27,7 +27,10 @@ pub(super) fn finding_about_forces(
     let (force, set, text) = found.first()?;
     let more = other_cases_in_words(found.len(), "another force, too", "other forces, too");
     let places = found.iter().map(|(force, ..)| force.path.clone()).collect();
-    Some(Finding { places, ..Finding::at(rule, set.position, format!("{text}{more}")).with_place(&force.path) })
+    Some(Finding {
+        places,
+        ..Finding::at(rule, set.position, format!("{text}{more}")).with_place(&force.path)
+    })
 }
 
 rule! { pub(super) SEVERAL_SPHERES_ONE_FORCE: SeveralSpheres, Remark, Solver;

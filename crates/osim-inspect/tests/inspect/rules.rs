@@ -300,7 +300,7 @@ fn faults_of_one_cause_are_one_finding_with_all_elements() {
     );
     // Another number is another cause.
     let others = text.replacen(good, bad, 2).replace(good, "<dissipation>-3</dissipation>");
-    let counts =
-        model_findings(&Model::parse(others).unwrap()).iter().map(|one| one.places.len()).collect::<Vec<_>>();
-    assert_eq!(counts, [2, 10]);
+    let others = Model::parse(others).unwrap();
+    let out_of_domain = model_findings(&others).iter().filter(|one| one.code() == finding.code());
+    assert_eq!(out_of_domain.map(|one| one.places.len()).collect::<Vec<_>>(), [2, 10]);
 }

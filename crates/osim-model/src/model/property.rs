@@ -186,7 +186,7 @@ const SMOOTH_PARAMETERS: [Property; 9] = [
     Property::HuntCrossleySmoothing,
 ];
 
-/// A list of tags, which stand in one row.
+/// A list of tags in one row.
 macro_rules! tags {
     ($($tag:literal)*) => { &[$($tag),*] };
 }

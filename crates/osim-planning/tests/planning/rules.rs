@@ -187,6 +187,6 @@ fn the_bad_example_raises_its_rule_and_the_good_one_does_not() {
         }
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
-    // Files on a disk, which tests/command makes.
-    assert_eq!(elsewhere, ["compiled-model-beside", "hard-linked", "mixed-pair"]);
+    // Files on a disk, and recordings, which tests/command makes.
+    assert_eq!(elsewhere, ["compiled-model-beside", "hard-linked", "mixed-pair", "horizontal-error"]);
 }

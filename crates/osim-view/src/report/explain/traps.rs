@@ -41,6 +41,11 @@ pub(super) const ALL: &[Trap] = traps! {
     "radius_m" [] "spheres of one force may have several radii: what they share follows the mean of R²";
     "composite_modulus_n_m2" ["E*", "composite_modulus"]
         "it is never in the file: OpenSim's stiffness is 2^(3/2) times as large where both surfaces are alike (A.4)";
+    "first_modulus_n_m2" [] "it goes into the ContactParameters of the first surface as it is, without 2^(3/2)";
+    "other_modulus_n_m2" [] "it goes into the ContactParameters of the other surface as it is, without 2^(3/2)";
+    "composite_modulus_opensim_n_m2" []
+        "it is smaller than Johnson's (A.2) for the same two materials, down to 0.71 of it where they are equal";
+    "opensim_over_johnson" [] "it depends on the ratio of the two moduli alone: 0.71 for equal ones, near 1 for a hard floor";
     "dissipation_s_m" []
         "where two surfaces differ it is a mean weighted by their moduli (Simbody's rule), and in no place of the file";
     "load_n" ["W/n"]
