@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use osim_model::messages::{Input, phrase};
-use osim_planning::MotionResult;
+use osim_planning::{MotionResult, NextModels};
 use osim_requests::MotionRequest;
 use osim_view::report::results::{
     MOCO_FILES, NMSM_FILES, corrected_files, external_loads_xml, ground_reactions_sto, moco_files, nmsm_files,
@@ -74,11 +74,11 @@ impl MotionFiles {
         Ok(Self { paths, moco, nmsm, mode })
     }
 
-    /// Writes the files and returns their paths. Plates are written for a treadmill only.
+    /// Writes the files and returns their paths, with the models `next` in the folders. Plates are written for a treadmill only.
     ///
     /// # Errors
     /// As [`write_files`].
-    pub fn write(&self, result: &MotionResult) -> Result<Vec<PathBuf>, LibraryFault> {
+    pub fn write(&self, result: &MotionResult, next: &NextModels) -> Result<Vec<PathBuf>, LibraryFault> {
         let name = |path: &Path| path.file_name().unwrap_or_default().to_string_lossy().into_owned();
         let mut files: Vec<(PathBuf, String)> = Vec::new();
         if let [Some(table), Some(loads), ..] = self.paths.as_slice() {
@@ -90,8 +90,11 @@ impl MotionFiles {
         }
         let mut files: Vec<(PathBuf, Vec<u8>)> =
             files.into_iter().map(|(path, text)| (path, text.into_bytes())).collect();
-        let folders =
-            self.moco.iter().zip(moco_files(result)).chain(self.nmsm.iter().zip(nmsm_files(result)));
+        let folders = self
+            .moco
+            .iter()
+            .zip(moco_files(result, next))
+            .chain(self.nmsm.iter().zip(nmsm_files(result, next)));
         for (path, text) in folders {
             make_folder_of(path)?;
             files.push((path.clone(), text));

@@ -13,7 +13,6 @@ use osim_motion::{
 use osim_requests::{AngleChoice, MotionRequest, Positive, RequestError, RequestFault, Signed};
 
 use crate::consistency::{Consistency, correction_options};
-use crate::next_step::NextModels;
 use crate::opening::{open_with, read};
 
 /// The contacts of a model along a recorded motion, compared with force plates if the request has some.
@@ -38,8 +37,6 @@ pub struct MotionResult {
     pub is_corrected: bool,
     /// Whether motion, contacts and plates agree, if the request wants a corrected motion.
     pub consistency: Option<Consistency>,
-    /// The models for what follows the correction.
-    pub next: NextModels,
 }
 
 /// Computes the contacts along the motion.
@@ -49,12 +46,10 @@ pub struct MotionResult {
 pub fn run_motion(request: &MotionRequest, files: &dyn Files) -> Result<MotionResult, RequestError> {
     let subject = request.subject.as_ref().ok_or(RequestFault::Missing { field: "subject" })?;
     let opened = open_with(subject, request.set_files.companion_paths(), files)?;
-    let mut result = run_opened(request, opened, files)?;
-    result.next = NextModels::new(request, &result, files)?;
-    Ok(result)
+    run_opened(request, opened, files)
 }
 
-/// As [`run_motion`], for a model that is open, and without models for what follows.
+/// As [`run_motion`], for a model that is open.
 pub(crate) fn run_opened(
     request: &MotionRequest,
     opened: OpenModel,
@@ -186,7 +181,6 @@ impl FollowedMotion {
             belt,
             is_corrected: false,
             consistency: None,
-            next: NextModels::default(),
         }
     }
 }

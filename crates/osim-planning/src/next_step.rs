@@ -33,7 +33,7 @@ impl NextModels {
     ///
     /// # Errors
     /// Contacts that cannot become smooth.
-    pub(crate) fn new(
+    pub fn new(
         request: &MotionRequest,
         result: &MotionResult,
         files: &dyn Files,

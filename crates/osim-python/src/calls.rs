@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use osim_library::MotionFiles;
 use osim_model::Property;
-use osim_planning::{design_sheet, find_presets, run_drop_test, run_fit, run_motion};
+use osim_planning::{NextModels, design_sheet, find_presets, run_drop_test, run_fit, run_motion};
 use osim_requests::Request;
 use osim_requests::spell::Python as PythonWords;
 use osim_view::report::explain::{Alphabet, answer};
@@ -78,8 +78,9 @@ pub(crate) fn motion<'py>(
     let (result, remarks) = without_gil(py, || {
         let request = request!(Motion, fields);
         let files = MotionFiles::of(&request)?;
-        let result = run_motion(&request, &RequestFiles::from_python(&memory, true))?;
-        files.write(&result)?;
+        let given = RequestFiles::from_python(&memory, true);
+        let result = run_motion(&request, &given)?;
+        files.write(&result, &NextModels::new(&request, &result, &given)?)?;
         let remarks = result.remarks(&request);
         Ok((result, remarks))
     })?;

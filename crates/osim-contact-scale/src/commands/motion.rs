@@ -2,7 +2,7 @@
 
 use anyhow::{Result, bail};
 use osim_library::{Disk, MotionFiles};
-use osim_planning::run_motion;
+use osim_planning::{NextModels, run_motion};
 use osim_requests::{MotionFormat, MotionRequest};
 use osim_view::report::json::line;
 use osim_view::report::results::{MotionRecord, motion_csv, motion_text};
@@ -21,13 +21,15 @@ pub(crate) fn run(request: &MotionRequest, session: &mut Session) -> Result<Exit
     let files = MotionFiles::of(request).map_err(|fault| session.file_error(&fault))?;
     let result = run_motion(request, &Disk)
         .map_err(|error| session.refuse(error, request.format == MotionFormat::Json))?;
+    let next = NextModels::new(request, &result, &Disk)
+        .map_err(|error| session.refuse(error, request.format == MotionFormat::Json))?;
     let remarks = result.remarks(request);
     let text = match request.format {
         MotionFormat::Json => line(&MotionRecord::new(&result, &remarks, session.words)),
         MotionFormat::Csv => motion_csv(&result)?,
         _ => motion_text(&result, &remarks, session.words, session.terminal.columns()),
     };
-    let written = files.write(&result).map_err(|fault| session.file_error(&fault))?;
+    let written = files.write(&result, &next).map_err(|fault| session.file_error(&fault))?;
     let written: String = written.iter().map(|path| format!("written to {}\n", path.display())).collect();
     let is_for_programs = matches!(request.format, MotionFormat::Json | MotionFormat::Csv);
     session.terminal.print_as(&text, is_for_programs)?;

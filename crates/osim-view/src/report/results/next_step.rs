@@ -3,7 +3,7 @@
 use std::fmt::Display;
 
 use osim_model::{ForceKind, Model, moving_spheres};
-use osim_planning::{MocoStart, MotionResult};
+use osim_planning::{MocoStart, MotionResult, NextModels};
 
 use super::motion::{corrected_motion, moved_plates_xml, plates_sto, storage_file_text};
 
@@ -16,8 +16,8 @@ pub const MOCO_FILES: [&str; 5] = ["model.osim", "motion.sto", "plates.sto", "pl
 pub const NMSM_FILES: [&str; 3] = ["model.osim", "motion.sto", "plates.sto"];
 
 /// The texts of [`MOCO_FILES`], which track a corrected motion with Moco; none if the request wants none.
-pub fn moco_files(result: &MotionResult) -> Vec<Vec<u8>> {
-    let Some(MocoStart { model, smooth }) = &result.next.moco else { return Vec::new() };
+pub fn moco_files(result: &MotionResult, next: &NextModels) -> Vec<Vec<u8>> {
+    let Some(MocoStart { model, smooth }) = &next.moco else { return Vec::new() };
     let result = smooth.as_deref().unwrap_or(result);
     let Some((correction, measured)) = result.correction().zip(result.measured.as_ref()) else {
         return Vec::new();
@@ -60,8 +60,8 @@ fn feet(result: &MotionResult, model: &Model) -> String {
 }
 
 /// The texts of [`NMSM_FILES`]: the motion as it was measured, and the plates at the same times; none if the request wants none.
-pub fn nmsm_files(result: &MotionResult) -> Vec<Vec<u8>> {
-    let Some((model, measured)) = result.next.nmsm.as_ref().zip(result.measured.as_ref()) else {
+pub fn nmsm_files(result: &MotionResult, next: &NextModels) -> Vec<Vec<u8>> {
+    let Some((model, measured)) = next.nmsm.as_ref().zip(result.measured.as_ref()) else {
         return Vec::new();
     };
     let known = measured.longest_known();
