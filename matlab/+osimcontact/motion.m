@@ -27,6 +27,10 @@ function results = motion(varargin)
 %         true or false.
 %     floor: With correct: the floor is this much higher than in the model, m [default: it is found].
 %         Takes a number.
+%     moco: With correct: write what Moco needs to track the corrected motion and the plates into this
+%         folder. Takes a text.
+%     nmsm: With correct: write what NMSM's ground contact personalisation reads into this folder, not
+%         corrected. Takes a text.
 %     error: With correct: usual errors of the motion's places and angles, as in 6mm,2deg [default:
 %         these]. The limits of the verdict grow with the first. Takes a text.
 %     output: Write the model's ground reactions to this file (.sto), with its ExternalLoads beside it

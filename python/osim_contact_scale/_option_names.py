@@ -47,6 +47,6 @@ RUN_OPTIONS = frozenset({
 #: Options that name files or folders.
 PATHS = frozenset({
     "body_scale_file", "compare", "contacts", "correct", "data", "file", "from", "from_moco_setup", "geometry",
-    "geometry_dir", "geometry_output", "loads", "manifest", "moco_setup", "model", "models", "motion", "output",
-    "output_dir", "plates", "presets", "report", "subject", "summary", "table",
+    "geometry_dir", "geometry_output", "loads", "manifest", "moco", "moco_setup", "model", "models", "motion", "nmsm",
+    "output", "output_dir", "plates", "presets", "report", "subject", "summary", "table",
 })

@@ -997,6 +997,8 @@ def motion(
     correct: StrPath | None = None,
     vertical: bool = False,
     floor: float | None = None,
+    moco: StrPath | None = None,
+    nmsm: StrPath | None = None,
     error: str | None = None,
     output: StrPath | None = None,
     force: bool = False,
@@ -1044,6 +1046,10 @@ def motion(
         With `correct`: only forces along the normal of the floor and their centres count.
     floor : float, optional
         With `correct`: the floor is this much higher than in the model, m [default: it is found]
+    moco : path, optional
+        With `correct`: write what Moco needs to track the corrected motion and the plates into this folder.
+    nmsm : path, optional
+        With `correct`: write what NMSM's ground contact personalisation reads into this folder, not corrected.
     error : str, optional
         With `correct`: usual errors of the motion's places and angles, as in 6mm,2deg [default: these]. The
         limits of the verdict grow with the first.
@@ -1084,7 +1090,7 @@ def motion(
     >>> len(walk.rows)
     964
     """
-    keywords = {"plates": plates, "loads": loads, "angles": angles, "low_pass": low_pass, "plates_delay": plates_delay, "belt": belt, "belt_column": belt_column, "start": start, "end": end, "correct": correct, "vertical": vertical or None, "floor": floor, "error": error, "output": output, "force": force or None, "contacts_mass": contacts_mass, "mass": mass, "exclude_body": exclude_body, "select": select, "exclude": exclude, "skip_disabled": skip_disabled or None, "geometry": geometry, "model": model}
+    keywords = {"plates": plates, "loads": loads, "angles": angles, "low_pass": low_pass, "plates_delay": plates_delay, "belt": belt, "belt_column": belt_column, "start": start, "end": end, "correct": correct, "vertical": vertical or None, "floor": floor, "moco": moco, "nmsm": nmsm, "error": error, "output": output, "force": force or None, "contacts_mass": contacts_mass, "mass": mass, "exclude_body": exclude_body, "select": select, "exclude": exclude, "skip_disabled": skip_disabled or None, "geometry": geometry, "model": model}
     return _run.motion(source, recording, keywords)
 
 
