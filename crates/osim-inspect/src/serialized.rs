@@ -12,7 +12,7 @@ use crate::findings::FindingWithRemedy;
 pub const SCHEMA_VERSION: u32 = 1;
 
 /// A finding in JSON.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
 pub struct FindingRecord {
     /// The finding's code, a short name that does not change.

@@ -89,7 +89,7 @@ pub struct Inspection {
 }
 
 /// The mass that the contacts are made for.
-#[derive(Debug, Clone, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
 pub struct ContactsMass {
     /// The mass in kg.

@@ -91,6 +91,7 @@ impl VerdictRow<'_> {
 }
 
 /// The verdicts on all topics, sorted; the worst first.
+#[derive(Default)]
 struct VerdictRows<'c> {
     bad: Vec<VerdictRow<'c>>,
     /// Questions of the table, such as "does it stand?", whose answer is not known, by the reason.
@@ -102,8 +103,7 @@ struct VerdictRows<'c> {
 
 impl<'c> VerdictRows<'c> {
     fn of(found: &'c CheckResult) -> Self {
-        let mut rows =
-            Self { bad: Vec::new(), unknown: BTreeMap::new(), good: Vec::new(), published: Vec::new() };
+        let mut rows = Self::default();
         for verdict in &found.verdicts {
             let on = verdict.on.as_str();
             let about = || found.findings.iter().filter(|finding| finding.rule.verdict == Some(verdict.on));
@@ -235,6 +235,7 @@ fn command_lines(commands: &[String], words: &dyn FrontEnd) -> String {
 
 /// Each finding with its place, reason and advice. A finding that occurs in several places is explained once.
 fn explanations(found: &CheckResult, layout: Layout) -> String {
+    use FindingCode::{SpheresLeftBehind, SpheresMisplaced, SpheresNotCompared};
     let mut text = String::new();
     for alike in found.findings.chunk_by(|a, b| a.code() == b.code()) {
         let Some(first) = alike.first() else { continue };
@@ -257,12 +258,7 @@ fn explanations(found: &CheckResult, layout: Layout) -> String {
         text.push_str(&layout.wrapped(&format!("  Why: {}", first.why), "       "));
         // The command above does it, and nobody is asked for the original that was given.
         let asks_for_original = found.similarity.is_some()
-            && matches!(
-                first.code(),
-                FindingCode::SpheresLeftBehind
-                    | FindingCode::SpheresMisplaced
-                    | FindingCode::SpheresNotCompared
-            );
+            && [SpheresLeftBehind, SpheresMisplaced, SpheresNotCompared].contains(&first.code());
         if first.command.is_none() && !asks_for_original {
             text.push_str(&layout.wrapped(&format!("  Do:  {}.", first.advice), "       "));
         }
@@ -347,13 +343,11 @@ impl LibraryTable {
             [only] => only.display().to_string(),
             _ => String::new(),
         };
-        let (command, head) = (self.command(), self.headline());
-        let head = match &command {
-            Some(_) => {
-                format!("{head}; this command puts {} right:", part_of_all(self.corrected, self.bad_models()))
-            }
-            None => head,
-        };
+        let (command, mut head) = (self.command(), self.headline());
+        if command.is_some() {
+            let bad = self.counts.iter().filter(|counts| counts.error + counts.warning > 0).count();
+            head.push_str(&format!("; this command puts {} right:", part_of_all(self.corrected, bad)));
+        }
         let mut text = match folder.as_str() {
             "" => layout.wrapped(&head, "  "),
             folder => wrapped_with_path(folder, &head, "  ", layout.width()),
@@ -369,10 +363,6 @@ impl LibraryTable {
         }
         text.push_str(&layout.wrapped(&self.unchecked_in_words(), "  "));
         text
-    }
-
-    fn bad_models(&self) -> usize {
-        self.counts.iter().filter(|counts| counts.error + counts.warning > 0).count()
     }
 
     fn headline(&self) -> String {

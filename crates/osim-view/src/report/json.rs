@@ -84,52 +84,55 @@ impl FailureRecord {
 
 // The JSON contract of a change.
 
-/// The changes of a model, and the files of the result.
-#[derive(Debug, Serialize)]
-#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
-pub struct PlanRecord {
-    /// Version of this JSON, which rises when a field changes its meaning or goes away.
-    pub schema_version: u32,
-    /// The model, as the caller named it.
-    pub model: String,
-    /// The model's name in bytes, if it is not UTF-8.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub model_bytes: Option<Vec<u8>>,
-    /// The file that was written.
-    pub output: Option<String>,
-    /// The output's name in bytes, if it is not UTF-8.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub output_bytes: Option<Vec<u8>>,
-    /// The geometry set that was written with a force set.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub geometry_output: Option<String>,
-    /// The name in bytes of the output for geometry, if it is not UTF-8.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub geometry_output_bytes: Option<Vec<u8>>,
-    /// The mass that the contacts were made for before; null where nobody knows.
-    pub contacts_mass_kg: Option<ContactsMass>,
-    /// The mass that the contacts are made for afterwards, kg; null where `contacts_mass_kg` is.
-    pub target_mass_kg: Option<f64>,
-    /// Whole objects that are added or removed. Numbers of objects that are added change `from` what they are made from.
-    pub objects: Vec<ObjectRecord>,
-    /// Numbers that change, then sphere centres that move.
-    pub changes: Vec<ChangeRecord>,
-    /// Of a fit to recordings: how far its forces are from the plates'.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub errors: Option<RecordingErrorsRecord>,
-    /// Of a fit of the height: how far the floor of each recording is above that of the model as it was, m. The model gets the first.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub floor_up_m: Option<Vec<f64>>,
-    /// Things the user should know.
-    pub findings: Vec<FindingRecord>,
-    /// Remarks on every change of this kind.
-    pub remarks: Vec<String>,
-    /// The credits of the new model as OpenSim reads them, with the note about its contacts; null where it has none. Set them, too,
-    /// where changes are made in a model in memory.
-    pub credits: Option<String>,
-}
-
 records! {
+    /// The changes of a model, and the files of the result.
+    PlanRecord from (plan, model, path, output, geometry_output):
+        (&Plan, &Model, &Path, Option<&Path>, Option<&Path>) {
+        /// Version of this JSON, which rises when a field changes its meaning or goes away.
+        schema_version: u32 = SCHEMA_VERSION,
+        /// The model, as the caller named it.
+        model: String = FileName::from(path).into_parts().0,
+        /// The model's name in bytes, if it is not UTF-8.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        model_bytes: Option<Vec<u8>> = FileName::from(path).into_parts().1,
+        /// The file that was written.
+        output: Option<String> = output.map(|path| FileName::from(path).into_parts().0),
+        /// The output's name in bytes, if it is not UTF-8.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        output_bytes: Option<Vec<u8>> = output.and_then(|path| FileName::from(path).into_parts().1),
+        /// The geometry set that was written with a force set.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        geometry_output: Option<String> = geometry_output.map(|path| FileName::from(path).into_parts().0),
+        /// The name in bytes of the output for geometry, if it is not UTF-8.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        geometry_output_bytes: Option<Vec<u8>> =
+            geometry_output.and_then(|path| FileName::from(path).into_parts().1),
+        /// The mass that the contacts were made for before; null where nobody knows.
+        contacts_mass_kg: Option<ContactsMass> =
+            plan.masses.as_ref().map(|masses| ContactsMass::new(&masses.contacts_mass)),
+        /// The mass that the contacts are made for afterwards, kg; null where `contacts_mass_kg` is.
+        target_mass_kg: Option<f64> = plan.masses.as_ref().map(|masses| masses.target_mass_kg),
+        /// Whole objects that are added or removed. Numbers of objects that are added change `from` what they are made from.
+        objects: Vec<ObjectRecord> = object_records(plan),
+        /// Numbers that change, then sphere centres that move.
+        changes: Vec<ChangeRecord> =
+            plan.changes.iter().map(ChangeRecord::from)
+                .chain(plan.moves.iter().map(ChangeRecord::from)).collect(),
+        /// Of a fit to recordings: how far its forces are from the plates'.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        errors: Option<RecordingErrorsRecord> = plan.errors.map(RecordingErrorsRecord::from),
+        /// Of a fit of the height: how far the floor of each recording is above that of the model as it was, m. The model gets the first.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        floor_up_m: Option<Vec<f64>> = (!plan.floor_up_m.is_empty()).then(|| plan.floor_up_m.clone()),
+        /// Things the user should know.
+        findings: Vec<FindingRecord> = plan.findings.iter().map(FindingRecord::from).collect(),
+        /// Remarks on every change of this kind.
+        remarks: Vec<String> = plan.remarks.iter().map(Phrase::to_string).collect(),
+        /// The credits of the new model as OpenSim reads them, with the note about its contacts; null where it has none. Set them, too,
+        /// where changes are made in a model in memory.
+        credits: Option<String> = plan.credits(model),
+    }
+
     /// One object that is added or removed.
     ObjectRecord from (object, sphere): (&ObjectChange, Option<&NewSphere<'_>>) {
         /// Whether the object was `added` or `removed`.
@@ -167,34 +170,32 @@ records! {
         /// The largest x/R in the recording.
         largest_relative_indentation: f64 = errors.largest_relative_indentation,
     }
-}
 
-/// One number that changes, or one centre that moves.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
-pub struct ChangeRecord {
-    /// Name of the force; null for a sphere's radius and location.
-    pub force: Option<String>,
-    /// Component path of the force or sphere.
-    pub path: String,
-    /// Number of the `ContactParameters`, where there are several.
-    pub set: Option<usize>,
-    /// Name of the sphere whose radius or location changes.
-    pub sphere: Option<String>,
-    /// OpenSim's name of the property that changes.
-    pub property: &'static str,
-    /// Effective value now, in OpenSim's unit.
-    pub from: Amount,
-    /// Value that is written.
-    pub to: Amount,
-    /// The factor by which the value was multiplied, where it was.
-    pub factor: Option<f64>,
-    /// Number of the equation in the paper, or a word where there is none.
-    pub equation: &'static str,
-    /// Line of the number, or of the object that gets it.
-    pub line: usize,
-    /// Whether the element was absent and is inserted.
-    pub inserted: bool,
+    /// One number that changes, or one centre that moves.
+    ChangeRecord from change: &NumberChange {
+        /// Name of the force; null for a sphere's radius and location.
+        force: Option<String> = change.force.clone(),
+        /// Component path of the force or sphere.
+        path: String = change.path.clone(),
+        /// Number of the `ContactParameters`, where there are several.
+        set: Option<usize> = change.set,
+        /// Name of the sphere whose radius or location changes.
+        sphere: Option<String> = change.sphere.clone(),
+        /// OpenSim's name of the property that changes.
+        property: &'static str = change.name(),
+        /// Effective value now, in OpenSim's unit.
+        from: Amount = change.radii_m.map_or(Amount::Number(change.from), |[old, _]| Amount::Location(old)),
+        /// Value that is written.
+        to: Amount = change.radii_m.map_or(Amount::Number(change.to), |[_, new]| Amount::Location(new)),
+        /// The factor by which the value was multiplied, where it was.
+        factor: Option<f64> = change.factor,
+        /// Number of the equation in the paper, or a word where there is none.
+        equation: &'static str = change.by.as_str(),
+        /// Line of the number, or of the object that gets it.
+        line: usize = change.line,
+        /// Whether the element was absent and is inserted.
+        inserted: bool = change.inserted,
+    }
 }
 
 /// A number, or the three of a location or of an ellipsoid's radii in m.
@@ -218,30 +219,7 @@ impl PlanRecord {
         output: Option<&Path>,
         geometry_output: Option<&Path>,
     ) -> Self {
-        let credits = plan.credits(model);
-        let numbers = plan.changes.iter().map(ChangeRecord::from);
-        let parts = |path: Option<&Path>| path.map(|path| FileName::from(path).into_parts()).unzip();
-        let (model, model_bytes) = FileName::from(path).into_parts();
-        let ((output, output_bytes), (geometry_output, geometry_output_bytes)) =
-            (parts(output), parts(geometry_output));
-        Self {
-            schema_version: SCHEMA_VERSION,
-            model,
-            model_bytes,
-            output,
-            output_bytes: output_bytes.flatten(),
-            geometry_output,
-            geometry_output_bytes: geometry_output_bytes.flatten(),
-            contacts_mass_kg: plan.masses.as_ref().map(|masses| ContactsMass::new(&masses.contacts_mass)),
-            target_mass_kg: plan.masses.as_ref().map(|masses| masses.target_mass_kg),
-            objects: object_records(plan),
-            changes: numbers.chain(plan.moves.iter().map(ChangeRecord::from)).collect(),
-            errors: plan.errors.map(RecordingErrorsRecord::from),
-            floor_up_m: (!plan.floor_up_m.is_empty()).then(|| plan.floor_up_m.clone()),
-            findings: plan.findings.iter().map(FindingRecord::from).collect(),
-            remarks: plan.remarks.iter().map(Phrase::to_string).collect(),
-            credits,
-        }
+        (plan, model, path, output, geometry_output).into()
     }
 }
 
@@ -259,24 +237,6 @@ fn parameters_by_name(object: &ObjectChange) -> Option<BTreeMap<&'static str, f6
     let parameters = object.parameters.iter();
     let parameters = parameters.map(|(property, value)| (property.name(), *value)).collect();
     (!object.parameters.is_empty()).then_some(parameters)
-}
-
-impl From<&NumberChange> for ChangeRecord {
-    fn from(change: &NumberChange) -> Self {
-        Self {
-            force: change.force.clone(),
-            path: change.path.clone(),
-            set: change.set,
-            sphere: change.sphere.clone(),
-            property: change.name(),
-            from: change.radii_m.map_or(Amount::Number(change.from), |[old, _]| Amount::Location(old)),
-            to: change.radii_m.map_or(Amount::Number(change.to), |[_, new]| Amount::Location(new)),
-            factor: change.factor,
-            equation: change.by.as_str(),
-            line: change.line,
-            inserted: change.inserted,
-        }
-    }
 }
 
 impl From<&PlaceChange> for ChangeRecord {

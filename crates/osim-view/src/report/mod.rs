@@ -47,7 +47,6 @@ macro_rules! records {
 }
 
 pub mod check;
-mod exit_status;
 pub mod explain;
 pub mod extent;
 pub mod inspection;
@@ -59,4 +58,4 @@ pub mod reproduce;
 pub mod results;
 pub mod similarity;
 
-pub use exit_status::ExitStatus;
+pub use messages::ExitStatus;

@@ -251,15 +251,10 @@ pub struct ObjectGroup<'p> {
 pub(crate) fn object_groups(objects: &[ObjectChange]) -> Vec<ObjectGroup<'_>> {
     let mut groups: Vec<ObjectGroup<'_>> = Vec::new();
     for object in objects {
-        match groups.iter_mut().find(|group| group.action == object.action && group.class == object.class) {
+        let (action, class) = (object.action, object.class);
+        match groups.iter_mut().find(|group| group.action == action && group.class == class) {
             Some(group) => group.names.push(&object.name),
-            None => {
-                groups.push(ObjectGroup {
-                    action: object.action,
-                    class: object.class,
-                    names: vec![&object.name],
-                });
-            }
+            None => groups.push(ObjectGroup { action, class, names: vec![&object.name] }),
         }
     }
     groups

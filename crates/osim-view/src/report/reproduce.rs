@@ -6,29 +6,26 @@ use osim_inspect::SCHEMA_VERSION;
 use osim_model::files::Failure;
 use osim_model::messages::{Dialect, counted, four_significant, readable, shortest};
 use osim_requests::fig1;
-use serde::Serialize;
 
 use crate::report::layout::{WIDTH, csv_text, filled, table, wrapped};
 
 // The comparison as data.
 
-/// Table 1 of the paper, printed and computed, as the JSON has it.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
-pub struct ReproductionRecord {
-    /// Version of this JSON, which rises when a field changes its meaning or goes away.
-    pub schema_version: u32,
-    /// The rows of Table 1, in its order.
-    pub table1: Vec<AnimalRecord>,
-    /// How many numbers were compared.
-    pub numbers: usize,
-    /// The number of values within half a unit of the last printed digit.
-    pub within_last_digit: usize,
-    /// What Fig. 1 shows and needs, in words: the figure is not computed.
-    pub fig1: Vec<String>,
-}
-
 records! {
+    /// Table 1 of the paper, printed and computed, as the JSON has it.
+    ReproductionRecord from (table1, dialect): (&[AnimalRecord], &dyn Dialect) {
+        /// Version of this JSON, which rises when a field changes its meaning or goes away.
+        schema_version: u32 = SCHEMA_VERSION,
+        /// The rows of Table 1, in its order.
+        table1: Vec<AnimalRecord> = table1.to_vec(),
+        /// How many numbers were compared.
+        numbers: usize = numbers_of(table1).count(),
+        /// The number of values within half a unit of the last printed digit.
+        within_last_digit: usize = numbers_of(table1).filter(|number| number.within_last_digit).count(),
+        /// What Fig. 1 shows and needs, in words: the figure is not computed.
+        fig1: Vec<String> = fig1().iter().map(|paragraph| paragraph.spelled(dialect)).collect(),
+    }
+
     /// An animal of Table 1.
     AnimalRecord from (animal, values): (&Animal, Vec<NumberRecord>) {
         /// Name of the animal.
@@ -70,6 +67,10 @@ records! {
     }
 }
 
+fn numbers_of(animals: &[AnimalRecord]) -> impl Iterator<Item = &NumberRecord> {
+    animals.iter().flat_map(|animal| &animal.values)
+}
+
 impl ReproductionRecord {
     /// Computes the numbers of Table 1 and compares them with the paper.
     ///
@@ -82,14 +83,7 @@ impl ReproductionRecord {
             Ok((&animal, values).into())
         };
         let table1 = table1::animals().map(row).collect::<Result<Vec<AnimalRecord>, Failure>>()?;
-        let numbers = || table1.iter().flat_map(|animal| &animal.values);
-        Ok(Self {
-            schema_version: SCHEMA_VERSION,
-            numbers: numbers().count(),
-            within_last_digit: numbers().filter(|number| number.within_last_digit).count(),
-            fig1: fig1().iter().map(|paragraph| paragraph.spelled(dialect)).collect(),
-            table1,
-        })
+        Ok((table1.as_slice(), dialect).into())
     }
 
     /// E* of the human, as the paper prints it.
@@ -112,7 +106,7 @@ const LEAST_COLUMNS_OF_TABLE: usize = 72;
 pub fn reproduction_text(record: &ReproductionRecord, columns: Option<usize>) -> String {
     let is_narrow = columns.is_some_and(|columns| columns < LEAST_COLUMNS_OF_TABLE);
     let mut table = table(&["Table 1", "paper", "computed", "difference", "relative", "agrees"]);
-    for number in record.table1.iter().flat_map(|animal| &animal.values) {
+    for number in numbers_of(&record.table1) {
         table.add_row(cells_of_number(number, is_narrow));
     }
     table.right_aligned(&[1, 2, 3, 4]);
@@ -141,21 +135,8 @@ pub fn fig1_text(record: &ReproductionRecord, columns: Option<usize>) -> String 
 /// # Errors
 /// None in practice: the rows are written into memory.
 pub fn reproduction_csv(record: &ReproductionRecord) -> Result<String, csv::Error> {
-    let header = [
-        "taxon",
-        "mass_kg",
-        "sphere_count",
-        "radius_m",
-        "quantity",
-        "unit",
-        "equation",
-        "printed",
-        "computed",
-        "difference",
-        "relative_difference",
-        "within_last_digit",
-        "computed_from_rounded",
-    ];
+    let header = "taxon mass_kg sphere_count radius_m quantity unit equation printed computed difference \
+                  relative_difference within_last_digit computed_from_rounded";
     let rows = record.table1.iter().flat_map(|animal| {
         animal.values.iter().map(move |number| {
             vec![
@@ -175,7 +156,7 @@ pub fn reproduction_csv(record: &ReproductionRecord) -> Result<String, csv::Erro
             ]
         })
     });
-    csv_text(std::iter::once(header.map(str::to_owned).to_vec()).chain(rows))
+    csv_text(std::iter::once(header.split(' ').map(str::to_owned).collect()).chain(rows))
 }
 
 fn heading_of_animal(animal: &AnimalRecord) -> String {

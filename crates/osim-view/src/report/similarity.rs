@@ -11,11 +11,11 @@ const MOST_NAMES_LISTED: usize = 6;
 
 /// Sentences that describe the list, for a text or a page.
 pub fn about(list: &SizeList, extent: Extent) -> Vec<String> {
-    let mut sentences = vec![ratios_in_words(list, extent)];
-    sentences.push(
+    let mut sentences = vec![
+        ratios_in_words(list, extent),
         "\"similar\" is the factor of geometric similarity at equal gravity, which is one choice among several: nothing here is changed"
             .to_owned(),
-    );
+    ];
     if list.is_of_two_models() {
         sentences.push(
             "\"follows\": changed so; \"left\": still at the old size, as the Scale Tool leaves all but lengths, masses and inertia".to_owned(),

@@ -1,19 +1,17 @@
 //! Explanations for scripts: a JSON object for each topic, one on a line; and the answer to an `explain` request.
 
-use contact_scaling::Equation;
 use contact_scaling::equations::{Form, Symbol};
 use osim_inspect::SCHEMA_VERSION;
+use osim_model::Repair;
 use osim_model::messages::{Dialect, Phrase};
-use osim_model::{Repair, Rule};
 use osim_requests::ExplainRequest;
 use osim_requests::options::Format;
 use osim_requests::spell::FrontEnd;
 use serde::Serialize;
 
 use crate::report::explain::equations::sentence_of_use;
-use crate::report::explain::errors::ErrorCode;
 use crate::report::explain::text::{Alphabet, ascii, list, text};
-use crate::report::explain::topic::{QuantityTopic, Topic, UnknownTopic};
+use crate::report::explain::topic::{Topic, UnknownTopic};
 use crate::report::json::line;
 
 /// One topic. `docs/reference/json.md` describes every field.
@@ -122,62 +120,48 @@ impl TopicRecord {
     /// The explanation of a topic in the words of `dialect`.
     pub fn new(topic: Topic, dialect: &dyn Dialect) -> Self {
         match topic {
-            Topic::Equation(equation) => Self::of_equation(equation, dialect),
-            Topic::Quantity(quantity) => Self::of_quantity(quantity, dialect),
-            Topic::Finding(rule) => Self::of_finding(rule, dialect),
-            Topic::Error(error) => Self::of_error(error, dialect),
-        }
-    }
-
-    fn of_equation(equation: &Equation, dialect: &dyn Dialect) -> Self {
-        Self::Equation {
-            schema_version: SCHEMA_VERSION,
-            label: equation.label,
-            title: equation.title,
-            formulas: equation.forms.iter().map(Into::into).collect(),
-            symbols: equation.symbols.iter().map(|symbol| (symbol, dialect).into()).collect(),
-            source: Phrase::template(equation.source).spelled(dialect),
-            used: sentence_of_use(equation.label).spelled(dialect),
-        }
-    }
-
-    fn of_quantity(quantity: &QuantityTopic, dialect: &dyn Dialect) -> Self {
-        Self::Quantity {
-            schema_version: SCHEMA_VERSION,
-            name: quantity.name,
-            symbols: quantity.symbols,
-            unit: quantity.unit,
-            equation: quantity.equation,
-            limit: quantity.limit.clone(),
-            what: quantity.what().spelled(dialect),
-            trap: quantity.trap().spelled(dialect),
-        }
-    }
-
-    fn of_finding(rule: &Rule, dialect: &dyn Dialect) -> Self {
-        let (fix, why_no_fix) = match rule.repair {
-            Repair::Command(what) => (Some(what.to_owned()), None),
-            Repair::NotPossible(why) | Repair::OnlyInChange(why) => (None, Some(why.to_owned())),
-        };
-        Self::Finding {
-            schema_version: SCHEMA_VERSION,
-            code: rule.code.as_str(),
-            severity: rule.severity.as_str(),
-            checked: !matches!(rule.repair, Repair::OnlyInChange(_)),
-            what: rule.what().spelled(dialect),
-            why: rule.why().spelled(dialect),
-            advice: rule.advice().spelled(dialect),
-            fix,
-            why_no_fix,
-        }
-    }
-
-    fn of_error(error: &ErrorCode, dialect: &dyn Dialect) -> Self {
-        Self::Error {
-            schema_version: SCHEMA_VERSION,
-            code: error.code,
-            means: error.means().spelled(dialect),
-            way_out: error.way_out().spelled(dialect),
+            Topic::Equation(equation) => Self::Equation {
+                schema_version: SCHEMA_VERSION,
+                label: equation.label,
+                title: equation.title,
+                formulas: equation.forms.iter().map(Into::into).collect(),
+                symbols: equation.symbols.iter().map(|symbol| (symbol, dialect).into()).collect(),
+                source: Phrase::template(equation.source).spelled(dialect),
+                used: sentence_of_use(equation.label).spelled(dialect),
+            },
+            Topic::Quantity(quantity) => Self::Quantity {
+                schema_version: SCHEMA_VERSION,
+                name: quantity.name,
+                symbols: quantity.symbols,
+                unit: quantity.unit,
+                equation: quantity.equation,
+                limit: quantity.limit.clone(),
+                what: quantity.what().spelled(dialect),
+                trap: quantity.trap().spelled(dialect),
+            },
+            Topic::Finding(rule) => {
+                let (fix, why_no_fix) = match rule.repair {
+                    Repair::Command(what) => (Some(what.to_owned()), None),
+                    Repair::NotPossible(why) | Repair::OnlyInChange(why) => (None, Some(why.to_owned())),
+                };
+                Self::Finding {
+                    schema_version: SCHEMA_VERSION,
+                    code: rule.code.as_str(),
+                    severity: rule.severity.as_str(),
+                    checked: !matches!(rule.repair, Repair::OnlyInChange(_)),
+                    what: rule.what().spelled(dialect),
+                    why: rule.why().spelled(dialect),
+                    advice: rule.advice().spelled(dialect),
+                    fix,
+                    why_no_fix,
+                }
+            }
+            Topic::Error(error) => Self::Error {
+                schema_version: SCHEMA_VERSION,
+                code: error.code,
+                means: error.means().spelled(dialect),
+                way_out: error.way_out().spelled(dialect),
+            },
         }
     }
 }

@@ -82,24 +82,24 @@ pub fn list(topics: &[Topic], dialect: &dyn Dialect, letters: Alphabet, width: u
         table(&["error", "what it means"]),
     );
     for topic in topics {
-        match topic {
+        let (table, name, what) = match topic {
             Topic::Equation(equation) => {
-                equations.add_row(vec![reference(equation.label), letters.convert(equation.title)]);
+                (&mut equations, reference(equation.label), letters.convert(equation.title))
             }
             Topic::Quantity(quantity) => {
                 let what = letters.convert(&quantity.what().spelled(dialect));
-                quantities.add_row(vec![quantity.name.to_owned(), what]);
+                (&mut quantities, quantity.name.to_owned(), what)
             }
             Topic::Finding(rule) => {
-                findings.add_row(vec![rule.code.as_str().to_owned(), rule.what().spelled(dialect)]);
+                (&mut findings, rule.code.as_str().to_owned(), rule.what().spelled(dialect))
             }
             Topic::Error(error) => {
                 let means = letters.convert(&error.means().spelled(dialect));
-                errors.add_row(vec![error.code.to_owned(), means]);
+                (&mut errors, error.code.to_owned(), means)
             }
-        }
+        };
+        table.add_row([name, what]);
     }
-    // A name that is broken cannot be copied.
     quantities.unbroken(0);
     [equations, quantities, findings, errors].map(|table| format!("{}\n", table.fitted(width))).join("\n")
 }
@@ -138,45 +138,14 @@ impl Alphabet {
 // Formulas for consoles that can only show ASCII.
 
 /// Symbols and their ASCII spelling. If one symbol begins with another, the longer symbol comes first.
-const SPELLINGS_OF_SYMBOLS: &[(&str, &str)] = &[
-    ("x̂", "xhat"),
-    ("k̂", "khat"),
-    ("ẋ⁻", "xdot_before"),
-    ("ẋ", "xdot"),
-    ("s/√m", "s/m^0.5"),
-    ("√m/s", "m^0.5/s"),
-    ("Δ", "Delta_"),
-    ("α", "alpha"),
-    ("γ", "gamma"),
-    ("η", "eta"),
-    ("μ", "mu"),
-    ("ν", "nu"),
-    ("π", "pi"),
-    ("ρ", "rho"),
-    ("σ", "sigma"),
-    ("Σ", "sum"),
-    ("∂", "d"),
-    ("∝", "~"),
-    ("∞", "infinity"),
-    ("→", "->"),
-    ("½", "1/2"),
-    ("₁", "1"),
-    ("₂", "2"),
-    ("²", "^2"),
-    ("³", "^3"),
-    ("·", "*"),
-    ("×", "x"),
-    ("−", "-"),
-    ("–", "-"),
-    ("…", "..."),
-    ("≤", "<="),
-    ("≥", ">="),
-];
+const SPELLINGS_OF_SYMBOLS: &str = "x̂:xhat k̂:khat ẋ⁻:xdot_before ẋ:xdot s/√m:s/m^0.5 √m/s:m^0.5/s Δ:Delta_ \
+     α:alpha γ:gamma η:eta μ:mu ν:nu π:pi ρ:rho σ:sigma Σ:sum ∂:d ∝:~ ∞:infinity →:-> ½:1/2 ₁:1 ₂:2 ²:^2 ³:^3 \
+     ·:* ×:x −:- –:- …:... ≤:<= ≥:>=";
 
 /// `text` in ASCII: roots become `sqrt(…)`.
 pub(super) fn ascii(text: &str) -> String {
     let mut out = text.to_owned();
-    for (symbol, spelling) in SPELLINGS_OF_SYMBOLS {
+    for (symbol, spelling) in SPELLINGS_OF_SYMBOLS.split(' ').filter_map(|pair| pair.split_once(':')) {
         out = out.replace(symbol, spelling);
     }
     roots_with_brackets(&out)

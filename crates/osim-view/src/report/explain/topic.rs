@@ -80,18 +80,13 @@ fn topics_called(name: &str) -> Vec<Topic> {
     let warning = rules::all().iter().copied().find(|rule| is_code(rule.code.as_str())).map(Topic::Finding);
     let error = errors().find(|known| is_code(known.code)).map(Topic::Error);
     let topics: Vec<Topic> = [equation, quantity, warning, error].into_iter().flatten().collect();
-    if topics.is_empty() && is_name_of_question_errors(name) { topics_of_question_errors() } else { topics }
-}
-
-/// Whether `name` is Python's name of all errors that ask the user something, `NeedsAnswer`.
-fn is_name_of_question_errors(name: &str) -> bool {
-    name.trim_ascii().to_lowercase().replace(['-', '_', ' '], "") == "needsanswer"
-}
-
-/// The topics of errors that ask the user a question.
-fn topics_of_question_errors() -> Vec<Topic> {
-    let asks = |error: &&ErrorCode| YesQuestion::ALL.iter().any(|question| question.as_str() == error.code);
-    errors().filter(asks).map(Topic::Error).collect()
+    // Python's name of all errors that ask the user something is `NeedsAnswer`.
+    if topics.is_empty() && name.trim_ascii().to_lowercase().replace(['-', '_', ' '], "") == "needsanswer" {
+        let asks =
+            |error: &&ErrorCode| YesQuestion::ALL.iter().any(|question| question.as_str() == error.code);
+        return errors().filter(asks).map(Topic::Error).collect();
+    }
+    topics
 }
 
 /// A topic is proposed if the likeness of its name to the given name is at least this; equal names have 1.
@@ -188,15 +183,8 @@ impl QuantityTopic {
     fn new(name: &'static str, unit: &'static str, what: &'static str) -> Self {
         let trap = traps::ALL.iter().find(|trap| trap.name == name);
         let (symbols, trap) = trap.map_or((&[][..], ""), |trap| (trap.symbols, trap.trap));
-        Self {
-            name,
-            symbols,
-            unit,
-            equation: "",
-            limit: None,
-            what: without_backticks_of_classes(what),
-            trap,
-        }
+        let what = without_backticks_of_classes(what);
+        Self { name, symbols, unit, equation: "", limit: None, what, trap }
     }
 
     fn of_property(property: Property) -> Self {

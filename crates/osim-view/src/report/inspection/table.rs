@@ -24,8 +24,6 @@ pub fn text(inspected: &Inspection, dialect: &dyn Dialect, layout: Layout) -> St
     if !inspected.forces.is_empty() {
         text.push('\n');
         text.push_str(&table_of_forces(inspected, layout));
-    }
-    if !inspected.forces.is_empty() {
         let figures = spheres::sphere_sheet(inspected, dialect, layout);
         text.push_str(if figures.is_empty() { "" } else { "\n" });
         text.push_str(&colour_marks(&figures, layout.colour));

@@ -129,16 +129,8 @@ pub(crate) fn motion_feet(result: &MotionResult) -> (Vec<&'static str>, Vec<Vec<
 }
 
 fn table_of_spheres(result: &MotionResult, columns: Option<usize>) -> String {
-    let mut all = table(&[
-        "sphere",
-        "peak, N",
-        "x/R",
-        "at, s",
-        "x/R > 0.16, s",
-        "slip, m/s",
-        "impact, m/s",
-        "restitution",
-    ]);
+    let headings = "sphere|peak, N|x/R|at, s|x/R > 0.16, s|slip, m/s|impact, m/s|restitution";
+    let mut all = table(&headings.split('|').collect::<Vec<_>>());
     for foot in &result.summary.feet {
         for sphere in &foot.spheres {
             all.add_row(sphere_row(result, sphere));
@@ -325,13 +317,8 @@ pub fn ground_reactions_sto(result: &MotionResult, name: &str) -> String {
     })
 }
 
-/// The measured ground reactions as [`ground_reactions_sto`] has those of the model, for the corrected motion: on a treadmill their
-/// points move with it. Each foot's force acts on its first body.
-fn moved_plates_sto(result: &MotionResult, correction: &Correction, name: &str) -> String {
-    plates_sto(result, 0..result.states.frames(), &correction.belt_way_m, name)
-}
-
-/// The measured ground reactions in `frames`, at points that have moved back by the way of a belt.
+/// The measured ground reactions in `frames`, at points that have moved back by the way of a belt. Each foot's force acts on its
+/// first body.
 pub(super) fn plates_sto(result: &MotionResult, frames: Range<usize>, way_m: &[DVec3], name: &str) -> String {
     let feet = || result.summary.feet.iter().map(|foot| &foot.foot);
     let labels: Vec<&str> = feet().filter_map(|foot| Some(foot.bodies.first()?.as_str())).collect();
@@ -417,7 +404,8 @@ pub fn corrected_files(result: &MotionResult, path: &Path) -> Vec<(PathBuf, Stri
     if correction.belt_m_s.length() > 0.0 {
         let plates = path.with_extension("plates.sto");
         let loads = (plates.with_extension("xml"), moved_plates_xml(result, &name(&plates)));
-        let table = moved_plates_sto(result, correction, &name(&plates));
+        let frames = 0..result.states.frames();
+        let table = plates_sto(result, frames, &correction.belt_way_m, &name(&plates));
         files.extend([(plates, table), loads]);
     }
     files
@@ -447,7 +435,7 @@ pub fn external_loads_xml(result: &MotionResult, data_file: &str) -> String {
     loads_xml("contacts", loads.iter().map(|load| (load.label.as_str(), load.body.as_str())), data_file)
 }
 
-/// OpenSim's `ExternalLoads` file for the output of [`moved_plates_sto`], which is in the same folder under the name `data_file`.
+/// OpenSim's `ExternalLoads` file for the output of [`plates_sto`], which is in the same folder under the name `data_file`.
 pub(super) fn moved_plates_xml(result: &MotionResult, data_file: &str) -> String {
     let bodies = result.summary.feet.iter().filter_map(|foot| foot.foot.bodies.first());
     loads_xml("plates", bodies.map(|body| (body.as_str(), body.as_str())), data_file)

@@ -7,7 +7,6 @@ use osim_inspect::SCHEMA_VERSION;
 use osim_model::files::FileName;
 use osim_model::messages::{four_significant, readable};
 use osim_planning::{DesignQuantity, DesignSheet};
-use serde::Serialize;
 
 use crate::report::layout::{WIDTH, filled, table};
 
@@ -130,59 +129,43 @@ pub fn design_sheet_text(sheet: &DesignSheet, columns: Option<usize>) -> String 
 
 // The JSON contract of a sweep's end.
 
-/// The end of a sweep, for scripts.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
-#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
-pub struct SweepRecord {
-    /// Version of this JSON, which rises when a field changes its meaning or goes away.
-    pub schema_version: u32,
-    /// The model, as the caller named it.
-    pub model: String,
-    /// The model's name in bytes, if it is not UTF-8.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub model_bytes: Option<Vec<u8>>,
-    /// The table that says what is in which file; null if nothing was made.
-    pub manifest: Option<String>,
-    /// The manifest's name in bytes, if it is not UTF-8.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub manifest_bytes: Option<Vec<u8>>,
-    /// The folder of the variants.
-    pub folder: String,
-    /// The folder's name in bytes, if it is not UTF-8.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub folder_bytes: Option<Vec<u8>>,
-    /// How many points the grid has, or steps the ladder: they are counted from 1 to this number.
-    pub points: usize,
-    /// With `point`, the file of that point, by its name in `folder`.
-    pub file: Option<String>,
-    /// How many models are complete, or would be: of all points, of the point that `point` names, or of a share.
-    pub models: usize,
-    /// How many of the models an earlier sweep had made.
-    pub done_before: usize,
-    /// How many variants could not be made.
-    pub failed: usize,
+records! {
+    /// The end of a sweep, for scripts.
+    SweepRecord from (model, folder, manifest): (&FileName, &Path, Option<&Path>) {
+        /// Version of this JSON, which rises when a field changes its meaning or goes away.
+        schema_version: u32 = SCHEMA_VERSION,
+        /// The model, as the caller named it.
+        model: String = model.clone().into_parts().0,
+        /// The model's name in bytes, if it is not UTF-8.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        model_bytes: Option<Vec<u8>> = model.clone().into_parts().1,
+        /// The table that says what is in which file; null if nothing was made.
+        manifest: Option<String> = manifest.map(|path| FileName::from(path).into_parts().0),
+        /// The manifest's name in bytes, if it is not UTF-8.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        manifest_bytes: Option<Vec<u8>> = manifest.and_then(|path| FileName::from(path).into_parts().1),
+        /// The folder of the variants.
+        folder: String = FileName::from(folder).into_parts().0,
+        /// The folder's name in bytes, if it is not UTF-8.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        folder_bytes: Option<Vec<u8>> = FileName::from(folder).into_parts().1,
+        /// How many points the grid has, or steps the ladder: they are counted from 1 to this number.
+        points: usize = 0,
+        /// With `point`, the file of that point, by its name in `folder`.
+        file: Option<String> = None,
+        /// How many models are complete, or would be: of all points, of the point that `point` names, or of a share.
+        models: usize = 0,
+        /// How many of the models an earlier sweep had made.
+        done_before: usize = 0,
+        /// How many variants could not be made.
+        failed: usize = 0,
+    }
 }
 
 impl SweepRecord {
     /// The record of a sweep of `model` into `folder`.
     pub fn new(model: &FileName, folder: &Path, manifest: Option<&Path>) -> Self {
-        let (model, model_bytes) = model.clone().into_parts();
-        let (folder, folder_bytes) = FileName::from(folder).into_parts();
-        let (manifest, manifest_bytes) = manifest.map(|path| FileName::from(path).into_parts()).unzip();
-        Self {
-            schema_version: SCHEMA_VERSION,
-            model,
-            model_bytes,
-            manifest,
-            manifest_bytes: manifest_bytes.flatten(),
-            folder,
-            folder_bytes,
-            points: 0,
-            file: None,
-            models: 0,
-            done_before: 0,
-            failed: 0,
-        }
+        (model, folder, manifest).into()
     }
 
     /// Adds the number of points, and the file of the point that the request names.
