@@ -84,13 +84,11 @@ fn curve_figure(
 
 /// The one body that a heat map is about; refused if the call names several.
 fn only_body(bodies: &[ContactBody]) -> Result<&ContactBody, Failure> {
-    match bodies {
-        [one] => Ok(one),
-        _ => {
-            let why = phrase!["a sweep is about one body: name one model, without ", Input::TargetMass];
-            Err(plot_failure(bodies, why))
-        }
-    }
+    let [one] = bodies else {
+        let why = phrase!["a sweep is about one body: name one model, without ", Input::TargetMass];
+        return Err(plot_failure(bodies, why));
+    };
+    Ok(one)
 }
 
 /// Texts about the quantity of a heat map.

@@ -42,7 +42,8 @@ struct FootPanels {
 impl FootPanels {
     fn of_foot(result: &MotionResult, index: usize, foot: &FootSummary) -> Self {
         let on_sole = result.on_soles.get(index).and_then(Option::as_ref);
-        let sole = on_sole.map(|on_sole| sole_panels(result, index, foot, on_sole));
+        let sole =
+            on_sole.map(|sole| [path_panel(result, foot, sole), arrow_panel(result, index, foot, sole)]);
         Self {
             times: [force_panel(result, index, foot), depth_panel(result, foot)],
             strides: stride_panels(result, index, foot),
@@ -134,16 +135,6 @@ const MOST_ARROWS: usize = 25;
 /// How far an arrow leans for a force of one body weight along the foot, mm.
 const LEAN_PER_BODY_WEIGHT_MM: f64 = 100.0;
 
-/// The path of the centre of pressure from above, and forces as arrows on the sole.
-fn sole_panels(
-    result: &MotionResult,
-    index: usize,
-    foot: &FootSummary,
-    on_sole: &PressureOnSole,
-) -> [Panel; 2] {
-    [path_panel(result, foot, on_sole), arrow_panel(result, index, foot, on_sole)]
-}
-
 fn path_panel(result: &MotionResult, foot: &FootSummary, on_sole: &PressureOnSole) -> Panel {
     let mut panel = Panel::new(
         "centre of pressure on the sole",
@@ -187,7 +178,9 @@ fn arrow_panel(result: &MotionResult, index: usize, foot: &FootSummary, on_sole:
         let plate = plate.zip(measured.and_then(|all| all.get(frame)?.as_ref()));
         for (one, series) in [(default_title, 0), (plate, 1)] {
             if let Some(([ahead_m, _], wrench)) = one {
-                let (leans_mm, up) = lean_and_height(result, foot, wrench);
+                let forward = ViewAxes::with_up(floor_normal(result, foot)).forward;
+                let lean = wrench.force_n.dot(forward) / result.summary.weight_n;
+                let (leans_mm, up) = (LEAN_PER_BODY_WEIGHT_MM * lean, along_normal(result, foot, wrench));
                 let start_mm = 1e3 * ahead_m;
                 let points = vec![(start_mm, 0.0), (start_mm + leans_mm, up)];
                 let look = Look { dash: Dash::Solid, ..Look::series(series) };
@@ -197,14 +190,6 @@ fn arrow_panel(result: &MotionResult, index: usize, foot: &FootSummary, on_sole:
         }
     }
     panel
-}
-
-/// How far the arrow of a force leans, mm, and how high it is, body weights.
-fn lean_and_height(result: &MotionResult, foot: &FootSummary, wrench: &Wrench) -> (f64, f64) {
-    let normal = floor_normal(result, foot);
-    let weight_n = result.summary.weight_n;
-    let forward = ViewAxes::with_up(normal).forward;
-    (LEAN_PER_BODY_WEIGHT_MM * wrench.force_n.dot(forward) / weight_n, along_normal(result, foot, wrench))
 }
 
 /// Panels of the force and of the deepest sphere over strides: from one touch-down (0 %) to the next (100 %); `None` without a complete

@@ -121,12 +121,9 @@ pub(super) fn add_change_sections(
     if fragment.is_wanted(sphere_figures::SECTION_HEAD.0) {
         let after = after.map(|(after, _)| after);
         let mut states = states_of_change(inspected, before_under_new_weight, after);
-        let reference_figures = reference.and_then(|reference| reference.figures.as_ref());
-        states.extend(reference_figures.map(|figures| ModelState {
-            name: "reference".to_owned(),
-            figures,
-            is_reference: true,
-        }));
+        let reference = reference.and_then(|reference| reference.figures.as_ref());
+        let state = |figures| ModelState { name: "reference".to_owned(), figures, is_reference: true };
+        states.extend(reference.map(state));
         sphere_figures::section(fragment, &states);
     }
     fragment.add_section("files", "Files read and written", &files);
@@ -136,11 +133,8 @@ pub(super) fn add_change_sections(
 /// The states of the model for plots, and the reference, if there is one.
 fn drawn_states(changed: ChangedModelOnPage<'_>) -> DrawnStates {
     let reference = changed.reference.and_then(|reference| reference.body.clone());
-    let mut drawn = DrawnStates {
-        bodies: changed.bodies,
-        has_reference: changed.reference.is_some(),
-        feet: changed.feet,
-    };
+    let has_reference = changed.reference.is_some();
+    let mut drawn = DrawnStates { bodies: changed.bodies, has_reference, feet: changed.feet };
     if !drawn.bodies.is_empty() {
         drawn.bodies.extend(reference);
     }
@@ -171,21 +165,10 @@ fn states_of_change<'s>(
         (Some(mass), _) => format!("{word}, under {} kg", readable(mass)),
         (None, _) => word.to_owned(),
     };
-    let mut states = vec![ModelState {
-        name: under("before", &before.figures),
-        figures: &before.figures,
-        is_reference: false,
-    }];
-    states.extend(under_new_weight.map(|figures| ModelState {
-        name: under("before", figures),
-        figures,
-        is_reference: false,
-    }));
-    states.extend(after.map(|after| ModelState {
-        name: under("after", &after.figures),
-        figures: &after.figures,
-        is_reference: false,
-    }));
+    let state = |word, figures| ModelState { name: under(word, figures), figures, is_reference: false };
+    let mut states = vec![state("before", &before.figures)];
+    states.extend(under_new_weight.map(|figures| state("before", figures)));
+    states.extend(after.map(|after| state("after", &after.figures)));
     // If all contacts were added or removed, one state has no spheres and is left out.
     if states.iter().any(|state| state.figures.spheres().next().is_some()) {
         states.retain(|state| state.figures.spheres().next().is_some());

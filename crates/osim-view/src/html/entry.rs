@@ -72,13 +72,13 @@ impl Entry {
         drawn: DrawnStates,
         fragment: Fragment,
     ) -> Self {
-        let mut cells: Vec<Cell> = vec![
+        let cells: Vec<Cell> = vec![
             inspected.mass_kg.map(readable).unwrap_or_default().into(),
             inspected.contacts_mass_kg.as_ref().map(|mass| readable(mass.value)).unwrap_or_default().into(),
             inspected.spheres_per_limb.map(|count| count.to_string()).unwrap_or_default().into(),
             cell_of_indentation(facts.indentation),
+            Cell::with_words(facts.counts.describe("–")),
         ];
-        cells.push(Cell::with_words(facts.counts.describe("–")));
         let summary = facts.counts.describe("no findings");
         Self {
             cells,
@@ -289,12 +289,8 @@ impl RunRow {
     /// The cells with the mass of the old contacts, the mass of the new contacts and the number of changes.
     pub(super) fn cells(&self) -> Vec<Cell> {
         let masses = match (self.contacts_mass_kg, self.target_mass_kg) {
-            (Some(contacts_mass_kg), Some(target_mass_kg)) => {
-                format!("{} → {}", readable(contacts_mass_kg), readable(target_mass_kg))
-            }
-            (contacts_mass_kg, target_mass_kg) => {
-                contacts_mass_kg.or(target_mass_kg).map(readable).unwrap_or_default()
-            }
+            (Some(from), Some(to)) => format!("{} → {}", readable(from), readable(to)),
+            (one, other) => one.or(other).map(readable).unwrap_or_default(),
         };
         vec![masses.into(), self.changes.to_string().into()]
     }

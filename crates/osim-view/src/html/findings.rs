@@ -13,8 +13,7 @@ pub(super) const SECTION_HEAD: (&str, &str) = ("findings", "Findings");
 /// Adds the section about the findings of one model.
 pub(super) fn add_verdicts_and_findings(fragment: &mut Fragment, check: &CheckResult) {
     let findings: Vec<&FindingWithRemedy> = check.findings.iter().collect();
-    let list =
-        list_of_items(&items_of_findings(fragment, &findings, FileOfLine::Only, CommandDisplay::Shown));
+    let list = list_of_items(&items_of_findings(fragment, &findings, "", true));
     let body = html! {
         (verdicts_of_model(&check.verdicts))
         @if check.findings.is_empty() { p { "No findings: all values are within the limits." } }
@@ -40,14 +39,13 @@ pub(super) fn add_findings_of_change(fragment: &mut Fragment, now: &CheckResult,
     let index = FindingIndex::new(&new.check.findings);
     let gone = |one: &&FindingWithRemedy| index.find_same_or_other_depth(one).is_none();
     let gone_findings: Vec<&FindingWithRemedy> = now.findings.iter().filter(gone).collect();
-    let commands = if new.in_file { CommandDisplay::Shown } else { CommandDisplay::Hidden };
-    let new_findings = items_of_findings(fragment, &new_findings, FileOfLine::New, commands);
+    let new_findings = items_of_findings(fragment, &new_findings, " of the new file", new.in_file);
     let kept_items: Vec<Markup> = pairs
         .iter()
         .filter_map(|(one, before)| Some((one, before.as_ref()?)))
-        .map(|(one, before)| html! { (item_of_finding(fragment, one, FileOfLine::New, commands)) (old_message(fragment, one, before)) })
+        .map(|(one, before)| html! { (item_of_finding(fragment, one, " of the new file", new.in_file)) (old_message(fragment, one, before)) })
         .collect();
-    let gone_findings = items_of_findings(fragment, &gone_findings, FileOfLine::Old, CommandDisplay::Hidden);
+    let gone_findings = items_of_findings(fragment, &gone_findings, " of the old file", false);
     let groups = [
         ("New with this change", new_findings),
         ("Still there", kept_items),
@@ -95,21 +93,6 @@ fn old_message(fragment: &mut Fragment, one: &FindingWithRemedy, before: &Findin
     }
 }
 
-/// The file to which the line number of a finding belongs.
-#[derive(Clone, Copy)]
-enum FileOfLine {
-    Only,
-    Old,
-    New,
-}
-
-/// Whether the page shows commands of remedies.
-#[derive(Clone, Copy, PartialEq)]
-enum CommandDisplay {
-    Shown,
-    Hidden,
-}
-
 fn list_of_items(items: &[Markup]) -> Markup {
     html! { @if !items.is_empty() { ul.findings { @for item in items { li { (item) } } } } }
 }
@@ -117,25 +100,21 @@ fn list_of_items(items: &[Markup]) -> Markup {
 fn items_of_findings(
     fragment: &mut Fragment,
     findings: &[&FindingWithRemedy],
-    lines: FileOfLine,
-    commands: CommandDisplay,
+    file: &str,
+    with_commands: bool,
 ) -> Vec<Markup> {
-    findings.iter().map(|finding| item_of_finding(fragment, finding, lines, commands)).collect()
+    findings.iter().map(|finding| item_of_finding(fragment, finding, file, with_commands)).collect()
 }
 
+/// A finding. `file` says to which file the line number belongs.
 fn item_of_finding(
     fragment: &mut Fragment,
     finding: &FindingWithRemedy,
-    lines: FileOfLine,
-    commands: CommandDisplay,
+    file: &str,
+    with_commands: bool,
 ) -> Markup {
     let message = finding.message.to_string();
     let place = finding.place.as_deref().filter(|place| !message.contains(*place));
-    let file = match lines {
-        FileOfLine::Only => "",
-        FileOfLine::Old => " of the old file",
-        FileOfLine::New => " of the new file",
-    };
     html! {
         p {
             (severity_tag(finding.severity)) " " (fragment.topics.link_to_finding(finding.code())) " "
@@ -148,7 +127,7 @@ fn item_of_finding(
                 }
             }
         }
-        @if let Some(command) = finding.command.as_ref().filter(|_| commands == CommandDisplay::Shown) {
+        @if let Some(command) = finding.command.as_ref().filter(|_| with_commands) {
             (command_line(command))
         }
     }

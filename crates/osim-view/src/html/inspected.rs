@@ -56,22 +56,15 @@ pub(super) fn add_inspection_sections(
         fragment.add_section(recording.id, recording.title, &maud::PreEscaped(recording.html));
     }
     let failed = |fault| model.failure(fault);
-    let body = || {
-        ContactBody::from_inspected_model(file_name(model.name()).to_owned(), &model.model, options, &failed)
-            .ok()
-    };
-    let drawn = DrawnStates {
-        bodies: body().into_iter().collect(),
-        has_reference: false,
-        feet: feet.into_iter().collect(),
-    };
+    let name = file_name(model.name()).to_owned();
+    let body = ContactBody::from_inspected_model(name, &model.model, options, &failed).ok();
+    let (bodies, feet) = (body.into_iter().collect(), feet.into_iter().collect());
+    let drawn = DrawnStates { bodies, has_reference: false, feet };
     if fragment.detail.is_alone() {
         plots::add_sections(fragment, &drawn, dialect);
     }
-    sphere_figures::section(
-        fragment,
-        &[ModelState { name: String::new(), figures: &inspected.figures, is_reference: false }],
-    );
+    let state = ModelState { name: String::new(), figures: &inspected.figures, is_reference: false };
+    sphere_figures::section(fragment, &[state]);
     let asked = inspected.similarity.as_ref();
     let compared = checked.similarity.as_ref().filter(|list| list.is_worth_showing());
     if let Some(list) = compared.or(asked) {

@@ -27,28 +27,17 @@ pub enum Columns {
 
 impl Columns {
     /// Headings of the columns. A heading that begins with a blank is above words instead of numbers.
-    fn headers(self) -> &'static [&'static str] {
-        match self {
-            Self::Changes => &[
-                " outcome",
-                "made for, kg",
-                "numbers changed",
-                "radius, m",
-                "stiffness, N/m²",
-                "dissipation, s/m",
-                "x/R at 1 BW",
-                "findings of the change",
-                " findings in the new model",
-            ],
-            Self::Inspections => &[
-                " outcome",
-                "weighs, kg",
-                "contacts for, kg",
-                "spheres per limb",
-                "x/R at 1 BW",
-                " findings",
-            ],
-        }
+    fn headers(self) -> Vec<&'static str> {
+        let headers = match self {
+            Self::Changes => {
+                " outcome|made for, kg|numbers changed|radius, m|stiffness, N/m²|dissipation, s/m|x/R at 1 BW|\
+                 findings of the change| findings in the new model"
+            }
+            Self::Inspections => {
+                " outcome|weighs, kg|contacts for, kg|spheres per limb|x/R at 1 BW| findings"
+            }
+        };
+        headers.split('|').collect()
     }
 
     fn failures_caption(self) -> &'static str {

@@ -62,14 +62,12 @@ impl PageCounts {
         }
         self.inspected += 1;
         let counts = [facts.counts.error, facts.counts.warning, facts.counts.remark];
-        self.models_with
-            .iter_mut()
-            .zip(counts)
-            .for_each(|(models_with, count)| *models_with += usize::from(count > 0));
-        facts
-            .codes
-            .iter()
-            .for_each(|(code, severity)| *self.findings.entry((*code, *severity)).or_default() += 1);
+        for (models_with, count) in self.models_with.iter_mut().zip(counts) {
+            *models_with += usize::from(count > 0);
+        }
+        for (code, severity) in &facts.codes {
+            *self.findings.entry((*code, *severity)).or_default() += 1;
+        }
         let Indentation { before, not_scaled, now } = facts.indentation;
         self.before.extend(before);
         self.not_scaled.extend(not_scaled);
