@@ -67,9 +67,7 @@ impl LibraryFault {
     }
 
     pub fn with_context(self, what: impl Display) -> Self {
-        let mut message = Phrase::from(format!("{what}: "));
-        message.push(&self.message);
-        Self { message, cause: self.cause }
+        Self { message: phrase![format!("{what}: "), &self.message], cause: self.cause }
     }
 
     /// The message, with names of options as data.

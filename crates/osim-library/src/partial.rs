@@ -68,7 +68,8 @@ impl PartialFile {
             return Err(fault_of_file_in_use(whole, way_out));
         };
         // A line that was cut off when the run was killed must not run into the next one.
-        let kept = if resume { length_of_whole_lines(&mut file).context(cannot)? } else { 0 };
+        let length = if resume { file.metadata().context(cannot)?.len() } else { 0 };
+        let kept = end_of_lines(&mut file, length).context(cannot)?;
         truncate_to(&mut file, kept).context(cannot)?;
         Ok(Self { file, length: kept, path })
     }
@@ -107,14 +108,7 @@ impl PartialFile {
 }
 
 fn fault_of_file_in_use(whole: &Path, way_out: &Phrase) -> LibraryFault {
-    let mut message = phrase![format!("{} is being written by another run: ", whole.display())];
-    message.push(way_out);
-    LibraryFault::busy(message)
-}
-
-fn length_of_whole_lines(file: &mut File) -> std::io::Result<u64> {
-    let length = file.metadata()?.len();
-    end_of_lines(file, length)
+    LibraryFault::busy(phrase![format!("{} is being written by another run: ", whole.display()), way_out])
 }
 
 /// Shortens the file to `length` bytes and goes to its end.

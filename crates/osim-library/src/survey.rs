@@ -122,23 +122,17 @@ impl Survey<'_> {
 
     /// An empty text, to which the text about each model is added.
     pub fn begin_text(&self) -> SurveyText {
+        let call = self.check.filter(|_| self.is_table());
         let mut text = SurveyText {
             words: self.words,
             layout: self.layout,
             is_first: true,
             names_full: true,
-            models: None,
-            library: None,
+            models: (call.is_none() && self.is_table()).then(ModelsTable::default),
+            library: call.map(|call| LibraryTable::new(call.clone())),
         };
-        if let Some(call) = self.check.filter(|_| self.is_table()) {
-            let table = text.library.insert(LibraryTable::new(call.clone()));
-            let failures = self.sources.failures.iter();
-            failures.for_each(|failure| table.add_failed(&failure.model.to_string(), failure.code));
-        } else if self.is_table() {
-            let table = text.models.insert(ModelsTable::default());
-            let failures = self.sources.failures.iter();
-            failures.for_each(|failure| table.add_failed(&failure.model.to_string(), failure.code));
-        }
+        let failures = self.sources.failures.iter();
+        failures.for_each(|failure| text.add_failed(&failure.model.to_string(), failure.code));
         text
     }
 
@@ -282,15 +276,17 @@ impl SurveyText {
                 text.extend(written.as_ref().map(|written| format!("{written}\n")));
                 return text;
             }
-            (SurveyedModel::Failed(failure), models, library) => {
-                models.iter_mut().for_each(|table| table.add_failed(name, failure.code));
-                library.iter_mut().for_each(|table| table.add_failed(name, failure.code));
-            }
+            (SurveyedModel::Failed(failure), ..) => self.add_failed(name, failure.code),
             (SurveyedModel::WithoutContacts, _, library) => {
                 library.iter_mut().for_each(LibraryTable::add_without_contacts);
             }
         }
         String::new()
+    }
+
+    fn add_failed(&mut self, name: &str, code: &str) {
+        self.models.iter_mut().for_each(|table| table.add_failed(name, code));
+        self.library.iter_mut().for_each(|table| table.add_failed(name, code));
     }
 
     /// The table of all models; an empty text if each model has a text of its own.

@@ -59,13 +59,8 @@ impl<'r> Run<'r> {
                 None => shard.has_name(task.source.below_folder()),
             });
         }
-        let context = RunContext {
-            run,
-            folders: OutputFolders::default(),
-            summary: None,
-            previous: PreviousRun::default(),
-            start: request.start,
-        };
+        let (folders, previous) = (OutputFolders::default(), PreviousRun::default());
+        let context = RunContext { run, folders, summary: None, previous, start: request.start };
         Ok(Self { request, context, kept_files: Vec::new() })
     }
 

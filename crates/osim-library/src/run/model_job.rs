@@ -124,20 +124,19 @@ impl<F: RunFrontEnd> ModelJob<'_, F> {
         if let (Some(input), Some(_)) = (inputs.first(), &self.context.summary) {
             record.sha256_settings = Some(self.settings_digest(&inputs));
             if !self.context.previous.is_empty() {
-                let previous = self.context.previous.compare(task, input, record);
-                match previous.map_err(|fault| fault.into_failure(loaded.files.name().clone(), "output"))? {
+                let name = loaded.files.name().clone();
+                let refused = |fault: LibraryFault| fault.into_failure(name.clone(), "output");
+                match self.context.previous.compare(task, input, record).map_err(refused)? {
                     PreviousOutcome::UpToDate(record) => {
                         let shown = self.show_earlier(loaded, &record, detail, &inputs);
                         return Ok(ModelOutcome { record: *record, earlier: true, shown, failure: None });
                     }
                     PreviousOutcome::Outdated => force = true,
                     PreviousOutcome::ModelChanged if !force => {
-                        let fault = LibraryFault::model_changed_before();
-                        return Err(fault.into_failure(loaded.files.name().clone(), "output"));
+                        return Err(refused(LibraryFault::model_changed_before()));
                     }
                     PreviousOutcome::OutputEdited(path) if !force && !self.context.run.dry_run => {
-                        let fault = LibraryFault::output_edited(&path);
-                        return Err(fault.into_failure(loaded.files.name().clone(), "output"));
+                        return Err(refused(LibraryFault::output_edited(&path)));
                     }
                     PreviousOutcome::OutputEdited(_)
                     | PreviousOutcome::ModelChanged

@@ -46,14 +46,8 @@ impl PlannedModel {
         let opened = model.open()?;
         let mut plan = change.plan(&opened, files)?;
         plan.spell(dialect);
-        Ok(Self {
-            source: ModelSource::file(path),
-            files: kept,
-            opened,
-            origin,
-            plan,
-            change: Arc::new(change),
-        })
+        let (source, change) = (ModelSource::file(path), Arc::new(change));
+        Ok(Self { source, files: kept, opened, origin, plan, change })
     }
 
     /// The new bytes of each file that changes, the model first.

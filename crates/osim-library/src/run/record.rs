@@ -222,12 +222,8 @@ impl Record {
     /// The line of a model that could not be listed.
     pub fn of_failure(failure: &Failure) -> Self {
         let (model, model_bytes) = failure.model.clone().into_parts();
-        let mut record = Self {
-            model,
-            model_bytes,
-            tool_version: env!("CARGO_PKG_VERSION").to_owned(),
-            ..Self::default()
-        };
+        let tool_version = env!("CARGO_PKG_VERSION").to_owned();
+        let mut record = Self { model, model_bytes, tool_version, ..Self::default() };
         record.add_failure(failure);
         record
     }
@@ -367,12 +363,8 @@ impl PropertyChange {
             changes.iter().all(|change| value(change) == first).then_some(first)
         };
         let factor = common_factor(&changes);
-        Self {
-            from: common(|change| change.from),
-            to: common(|change| change.to),
-            factor,
-            is_unequal: factor.is_none(),
-        }
+        let (from, to) = (common(|change| change.from), common(|change| change.to));
+        Self { from, to, factor, is_unequal: factor.is_none() }
     }
 }
 

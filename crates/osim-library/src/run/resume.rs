@@ -225,12 +225,10 @@ impl PreviousRun {
 }
 
 fn fault_of_summary(path: &Path, fault: &LibraryFault) -> LibraryFault {
-    let mut message = phrase![
-        "cannot continue with {}: give {} the file of the earlier run: ";
-        path.display().to_string(), Input::Summary
-    ];
-    message.push(fault.phrase());
-    LibraryFault::new(message)
+    LibraryFault::new(phrase![
+        "cannot continue with {}: give {} the file of the earlier run: {}";
+        path.display().to_string(), Input::Summary, fault.phrase()
+    ])
 }
 
 fn hash_of_path(file: &Path) -> u64 {

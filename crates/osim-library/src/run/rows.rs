@@ -86,12 +86,8 @@ impl<'r> RowReader<'r> {
         }
         let extra_files = request.manifest.iter().cloned().collect();
         let force = request.output.force;
-        Ok(CheckedRows::Run(RunRequest {
-            extra_files,
-            remarks,
-            force,
-            ..RunRequest::new(Verb::Batch, tasks)
-        }))
+        let request = RunRequest { extra_files, remarks, force, ..RunRequest::new(Verb::Batch, tasks) };
+        Ok(CheckedRows::Run(request))
     }
 }
 
@@ -131,19 +127,13 @@ impl TableRows<'_> {
             return Err(RowFault::of(column, message));
         }
         let settings = self.row_settings(row, shared)?;
-        let task = Task::new(ModelSource::in_table(&row.model), &row.output, settings)
-            .with_user_columns(row.user_columns.clone());
-        let checked = self
-            .writable_folder
-            .as_ref()
-            .map_or(Ok(()), |writable_folder| writable_folder.check(&task, &row.output, self.call_output));
-        checked.map_err(|(input, message)| {
-            RowFault::of(self.table.header_of(input).unwrap_or(column), message)
-        })?;
-        Ok(match usize::try_from(row.line) {
-            Ok(line) => task.of_row(line),
-            Err(_) => task,
-        })
+        let task = Task::new(ModelSource::in_table(&row.model), &row.output, settings);
+        if let Some(folder) = &self.writable_folder {
+            folder.check(&task, &row.output, self.call_output).map_err(|(input, message)| {
+                RowFault::of(self.table.header_of(input).unwrap_or(column), message)
+            })?;
+        }
+        Ok(Task { row: usize::try_from(row.line).ok(), user_columns: row.user_columns.clone(), ..task })
     }
 
     fn row_settings(

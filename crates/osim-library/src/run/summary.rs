@@ -71,14 +71,9 @@ impl SummaryWriter {
             partial.remove()?;
             return Err(exists());
         }
-        let partial = Mutex::new(partial);
         let folder = relative_path(&resolved(folder_of(path)), &resolved(Path::new(".")));
-        Ok(Some(Self {
-            format,
-            folder: folder.to_str().map(str::to_owned),
-            partial,
-            summary: Mutex::new(summary),
-        }))
+        let folder = folder.to_str().map(str::to_owned);
+        Ok(Some(Self { format, folder, partial: Mutex::new(partial), summary: Mutex::new(summary) }))
     }
 
     /// Writes the line of an output file that is complete and about to get its final name.
@@ -127,10 +122,10 @@ impl SummaryWriter {
         let summary = self.summary.into_inner().map_err(|_| LibraryFault::new("a thread ended early"))?;
         let written = summary.fault.map_or(kept, Err).and_then(|()| summary.file.commit());
         written.map_err(|fault| {
-            let mut message =
-                phrase!["the summary is missing: make room for it, then continue with ", Input::Resume, ": "];
-            message.push(fault.phrase());
-            LibraryFault::new(message)
+            LibraryFault::new(phrase![
+                "the summary is missing: make room for it, then continue with {}: {}";
+                Input::Resume, fault.phrase()
+            ])
         })?;
         self.partial.into_inner().map_err(|_| LibraryFault::new("a thread ended early"))?.remove()
     }

@@ -45,15 +45,6 @@ impl Task {
         }
     }
 
-    pub(super) fn of_row(self, row: usize) -> Self {
-        Self { row: Some(row), ..self }
-    }
-
-    /// The task with the user's own columns of a manifest, which a summary copies.
-    pub(super) fn with_user_columns(self, user_columns: Vec<(String, String)>) -> Self {
-        Self { user_columns, ..self }
-    }
-
     /// The file that the task writes the new model to; `None` if it writes none.
     pub fn output(&self) -> Option<&Path> {
         self.destination.path(&self.source)

@@ -204,12 +204,9 @@ impl<'w> PreparedFiles<'w> {
                 prepared.commit()?;
             }
         }
-        let to_stdout = self.task.destination == ResultDestination::Stdout;
-        let (paths, backups_of_user) = (self.paths, self.backups_of_user);
-        Ok(if to_stdout {
-            WrittenOutput::Stdout
-        } else {
-            WrittenOutput::Files { paths, kept: backups_of_user }
+        Ok(match self.task.destination {
+            ResultDestination::Stdout => WrittenOutput::Stdout,
+            _ => WrittenOutput::Files { paths: self.paths, kept: self.backups_of_user },
         })
     }
 }

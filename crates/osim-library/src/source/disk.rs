@@ -137,10 +137,8 @@ impl FileStamp {
 /// The file does not exist, cannot be read, or changes while it is read.
 fn read(path: &Path, kinds: FileKinds) -> Result<(Vec<u8>, Option<FileStamp>), FileError> {
     if path.as_os_str() == "-" && kinds == FileKinds::Streams {
-        let read = file_access::standard_input();
-        return read
-            .map(|bytes| (bytes, None))
-            .map_err(|why| FileError::new(format!("standard input: {why}")));
+        let unread = |why: file_access::ReadRefusal| FileError::new(format!("standard input: {why}"));
+        return Ok((file_access::standard_input().map_err(unread)?, None));
     }
     let (bytes, metadata) = file_access::read(path, kinds)?;
     Ok((workbook_as_csv(bytes)?, Some(FileStamp::of(metadata))))
@@ -189,11 +187,8 @@ impl LoadedModel {
         set_files: &SetFiles,
         files: &dyn Files,
     ) -> Result<Self, Failure> {
-        Ok(Self::new(
-            path,
-            ModelFiles::read(path, bytes, set_files.companion_paths(), files)?,
-            HashMap::new(),
-        ))
+        let files = ModelFiles::read(path, bytes, set_files.companion_paths(), files)?;
+        Ok(Self::new(path, files, HashMap::new()))
     }
 
     fn new(path: &Path, files: ModelFiles, stamps: HashMap<PathBuf, FileStamp>) -> Self {

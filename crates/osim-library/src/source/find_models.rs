@@ -1,7 +1,6 @@
 //! Finds the models that a call names: files, folders and standard input. Recognises file names with blanks without quotes.
 
 use std::collections::HashSet;
-use std::ffi::OsString;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -235,7 +234,8 @@ impl SplitName {
         let mut are_parts = true;
         for end in 1..parts {
             let word = rest.get(end)?;
-            name = with_blank_and_word(name, word);
+            name.push(" ");
+            name.push(word);
             let path = PathBuf::from(&name);
             let exists = path.exists();
             // A word that is a file itself is part of a name only if the whole name exists.
@@ -260,10 +260,4 @@ impl SplitName {
         let there = if self.exists { format!(", but '{name}' is") } else { String::new() };
         format!("not there{there}: a name with a blank needs quotes, \"{name}\"")
     }
-}
-
-fn with_blank_and_word(mut name: OsString, word: &Path) -> OsString {
-    name.push(" ");
-    name.push(word);
-    name
 }

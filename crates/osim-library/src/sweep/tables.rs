@@ -242,15 +242,12 @@ fn for_each_line(
         return Ok(());
     }
     read_lines(path, may_end_in_a_line, each).map_err(|fault| {
-        let mut message = phrase![format!("cannot continue with {}: ", path.display())];
-        message.push(fault.phrase());
-        message.push("; leave out ");
-        message.push(Input::Resume);
-        message.push(" and replace all with ");
-        message.push(Input::Force);
-        message.push(", or choose another folder with ");
-        message.push(Input::OutputDir.with_placeholder("DIR"));
-        LibraryFault::new(message)
+        LibraryFault::new(phrase![
+            "cannot continue with {}: {}; leave out {} and replace all with {}, or choose another \
+             folder with {}";
+            path.display().to_string(), fault.phrase(), Input::Resume, Input::Force,
+            Input::OutputDir.with_placeholder("DIR")
+        ])
     })
 }
 

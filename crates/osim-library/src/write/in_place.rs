@@ -84,15 +84,9 @@ impl<'b> ReplacementFile<'b> {
         }
         let exchanged = exchange(replacement.path(), &target);
         if let ExchangeOutcome::Done = exchanged {
-            let in_place = ExchangedModel {
-                displaced: Some(replacement),
-                target,
-                shown,
-                read_bytes,
-                written_bytes,
-                backup,
-            };
-            return in_place.keep_if_unchanged();
+            let displaced = Some(replacement);
+            return ExchangedModel { displaced, target, shown, read_bytes, written_bytes, backup }
+                .keep_if_unchanged();
         }
         // The replacement is removed unless another program has written into it.
         replacement.disable_cleanup(!has_bytes(replacement.path(), &written_bytes));

@@ -152,7 +152,6 @@ impl PendingFile {
     /// # Errors
     /// Another program made a file of this name in the meantime, which may not be replaced, or the folder cannot be changed.
     pub fn commit(self) -> Result<(), LibraryFault> {
-        let durable = self.replaces;
         // The system dates files by a clock that is some ms late: the file would seem older than a run that began just before.
         let _ = self.temporary.as_file().set_modified(SystemTime::now());
         let (target, shown) = (self.target, self.shown.display());
@@ -161,32 +160,24 @@ impl PendingFile {
         } else {
             self.temporary.persist_noclobber(&target)
         };
-        match result {
-            Ok(_) => {
-                if durable {
-                    sync_folder_of(&target);
-                }
-                Ok(())
+        let Err(refused) = result else {
+            if self.replaces {
+                sync_folder_of(&target);
             }
-            Err(error)
-                if error.error.kind() == ErrorKind::AlreadyExists && self.mode == WriteMode::Replace =>
-            {
-                let file = error.file;
-                file.as_file().sync_all().context(|| format!("cannot write {shown}"))?;
-                file.persist(&target).map(drop).context(|| format!("cannot write {shown}"))
-            }
-            Err(error)
-                if error.error.kind() == ErrorKind::AlreadyExists
-                    && has_same_bytes(error.file.path(), &target) =>
-            {
-                Ok(())
-            }
-            Err(error) if error.error.kind() == ErrorKind::AlreadyExists => {
-                let message = format!("{shown} appeared while it was being written: nothing was replaced");
-                Err(LibraryFault::new(message))
-            }
-            Err(error) => Err(LibraryFault::system(format!("cannot write {shown}"), error.error)),
+            return Ok(());
+        };
+        let (error, file) = (refused.error, refused.file);
+        if error.kind() != ErrorKind::AlreadyExists {
+            return Err(LibraryFault::system(format!("cannot write {shown}"), error));
         }
+        if self.mode == WriteMode::Replace {
+            file.as_file().sync_all().context(|| format!("cannot write {shown}"))?;
+            return file.persist(&target).map(drop).context(|| format!("cannot write {shown}"));
+        }
+        if has_same_bytes(file.path(), &target) {
+            return Ok(());
+        }
+        Err(LibraryFault::new(format!("{shown} appeared while it was being written: nothing was replaced")))
     }
 }
 
