@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use contact_scaling::equilibrium::{RaisedSpheres, hertz_indentation_of_lowest, indentation_of_lowest};
 use contact_scaling::{DomainError, Law, Spheres};
-use foldhash::{HashMap, HashMapExt, HashSet};
+use foldhash::{HashMap, HashMapExt};
 use glam::DVec3;
 
 use crate::feet::contact_planes::{ContactPlane, PlaneSurface, STEEPEST_FLOOR_RAD};
@@ -39,12 +39,11 @@ impl SphereFloors {
     /// The floors among the planes of `forces`. Walls are left out.
     pub(super) fn of(model: &Model, forces: &[ForceId], pose: &DefaultPose) -> Self {
         let planes = ContactPlane::all(model, forces, pose).into_iter();
-        let planes: Vec<(ContactPlane, PlaneSurface)> = planes
-            .filter_map(|plane| {
-                Some((plane.surface.filter(|surface| surface.tilt_rad <= STEEPEST_FLOOR_RAD)?, plane))
-            })
-            .map(|(surface, plane)| (plane, surface))
-            .collect();
+        let floor = |plane: ContactPlane| {
+            let surface = plane.surface.filter(|surface| surface.tilt_rad <= STEEPEST_FLOOR_RAD)?;
+            Some((plane, surface))
+        };
+        let planes: Vec<(ContactPlane, PlaneSurface)> = planes.filter_map(floor).collect();
         let mut by_sphere: HashMap<SphereId, Vec<usize>> = HashMap::new();
         for (index, (plane, _)) in planes.iter().enumerate() {
             for &sphere in &plane.spheres {
@@ -78,19 +77,6 @@ impl SphereFloors {
         let places = self.by_sphere.get(&sphere).into_iter().flatten();
         let planes = places.filter_map(|&place| self.planes.get(place));
         Ok(planes.map(|(plane, surface)| (plane, gap(surface))).filter(|(_, gap)| gap.is_finite()).collect())
-    }
-
-    /// The contacts of a sphere under load, one for each floor of its force. `own` are the paths of the force's planes.
-    pub(super) fn floor_contacts(
-        loaded: &LoadedSphere,
-        gaps: &[(&ContactPlane, f64)],
-        own: &HashSet<String>,
-    ) -> Vec<FloorContact> {
-        let floor_contacts = |gap_m| FloorContact { contact: loaded.clone(), gap_m };
-        gaps.iter()
-            .filter(|(plane, _)| own.contains(&plane.path))
-            .map(|(_, gap)| floor_contacts(*gap))
-            .collect()
     }
 }
 

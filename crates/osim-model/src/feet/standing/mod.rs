@@ -2,7 +2,6 @@
 //! the depths at which they carry the weight.
 
 mod heights_over_floor;
-mod held_trees;
 mod level;
 mod lift;
 
@@ -18,10 +17,9 @@ use super::fault::PoseFault;
 use crate::model::{ForceId, Model, SphereId, loaded_spheres};
 use heights_over_floor::{FloorContact, SphereFloors};
 pub use heights_over_floor::{RestLaw, RestOnFloor, RestingSphere, SphereOverFloor};
-pub use held_trees::held_roots;
 pub use level::{LevelledSphere, MOST_LEAN_RAD, NotLevelled, levelled_spheres};
 use lift::{JointTree, LiftingCoordinateSearch};
-pub use lift::{LiftingCoordinate, NotLifted};
+pub use lift::{LiftingCoordinate, NotLifted, held_roots};
 
 /// Floors have one direction if the angle between their normals is at most this, rad.
 const SAME_DIRECTION_RAD: f64 = 1e-6;
@@ -226,7 +224,9 @@ fn add_floor_contacts(
         let Some(own) = places.get(&one.sphere).and_then(|&place| standing.get_mut(place)) else { continue };
         let gaps = floors.heights_over_floors(model, one.sphere, pose)?;
         let planes = planes.entry(one.force).or_insert_with(|| paths_of_planes(model, one.force));
-        own.floor_contacts.extend(SphereFloors::floor_contacts(one, &gaps, planes));
+        let gaps = gaps.iter().filter(|(plane, _)| planes.contains(&plane.path));
+        own.floor_contacts
+            .extend(gaps.map(|(_, gap_m)| FloorContact { contact: one.clone(), gap_m: *gap_m }));
     }
     Ok(())
 }

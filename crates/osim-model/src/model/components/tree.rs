@@ -10,7 +10,7 @@ use std::sync::{Arc, OnceLock};
 
 use foldhash::{HashMap, HashMapExt, HashSet, HashSetExt};
 
-use crate::model::components::classes::{self, CountedSets};
+use crate::model::components::{CountedSets, is_component_class};
 use crate::model::{Document, FileId};
 use crate::xml::ElementId;
 
@@ -114,7 +114,7 @@ impl ComponentTree {
             } else {
                 match above {
                     ElementRole::Nothing => ElementRole::Nothing,
-                    ElementRole::Components(_) if !classes::is_component_class(tag) => {
+                    ElementRole::Components(_) if !is_component_class(tag) => {
                         self.skipped.push((file, id));
                         ElementRole::Nothing
                     }
@@ -257,15 +257,13 @@ impl ComponentTree {
     /// Gives numbers to siblings of one name. OpenSim calls the second of two siblings `f` `f_0`, the third `f_1`, in the order in which it
     /// reads them.
     fn number_siblings(&mut self) {
-        let with_repeated_names = std::mem::take(&mut self.with_repeated_names);
-        if with_repeated_names.is_empty() {
-            return;
-        }
-        for owner in with_repeated_names.into_iter().collect::<BTreeSet<ComponentId>>() {
-            let mut children: Vec<(bool, ComponentId)> =
-                self.children(owner).map(|(id, object)| (!object.is_member, id)).collect();
-            children.sort_by_key(|(is_later, _)| *is_later);
-            let children: Vec<ComponentId> = children.into_iter().map(|(_, id)| id).collect();
+        for owner in
+            std::mem::take(&mut self.with_repeated_names).into_iter().collect::<BTreeSet<ComponentId>>()
+        {
+            let (members, others): (Vec<_>, Vec<_>) =
+                self.children(owner).partition(|(_, object)| object.is_member);
+            let children: Vec<ComponentId> = members.into_iter().chain(others).map(|(id, _)| id).collect();
+
             self.number_children(owner, &children);
         }
     }
