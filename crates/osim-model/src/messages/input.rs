@@ -3,6 +3,7 @@
 use std::borrow::Cow;
 use std::fmt;
 
+use super::named;
 use super::printable::shown_whole;
 
 macro_rules! inputs {
@@ -196,69 +197,50 @@ inputs! {
     Young = "young", "Young's modulus";
 }
 
-macro_rules! verbs {
-    ($($(#[doc = $doc:literal])+ $variant:ident = $name:literal;)+) => {
-        /// A task that this program can do with models, such as `rescale`.
-        #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-        pub enum Verb {
-            $($(#[doc = $doc])+ $variant,)+
-        }
-
-        impl Verb {
-            pub const ALL: &'static [Self] = &[$(Self::$variant),+];
-
-            /// Name of the verb, for example `drop-test`.
-            pub const fn name(self) -> &'static str {
-                match self { $(Self::$variant => $name),+ }
-            }
-
-            /// The verb with exactly this name.
-            pub fn find(name: &str) -> Option<Self> {
-                Self::ALL.iter().copied().find(|verb| verb.name() == name)
-            }
-        }
-    };
-}
-
-verbs! {
-    /// A model's own contacts at another mass.
-    Rescale = "rescale";
-    /// Contacts of another model or of a preset.
-    Transfer = "transfer";
-    /// Contacts for a model that has none.
-    Add = "add";
-    /// Contacts out of a model.
-    Remove = "remove";
-    /// Forces of one class as forces of the other.
-    Convert = "convert";
-    /// Parameters from what is wanted.
-    Design = "design";
-    /// Plain values and factors.
-    Set = "set";
-    /// The mass that contacts were made for, written down.
-    Note = "note";
-    /// Many models, as a table says.
-    Batch = "batch";
-    /// Variants of one model.
-    Sweep = "sweep";
-    /// What contacts a model has, and what they do.
-    Inspect = "inspect";
-    /// Models compared with the limits of the paper and the traps of the format.
-    Check = "check";
-    /// A body that falls on its contacts.
-    DropTest = "drop-test";
-    /// Contacts along a recorded motion.
-    Motion = "motion";
-    /// Draws figures.
-    Plot = "plot";
-    /// Parameters from a measured indentation and force.
-    Fit = "fit";
-    /// What the paper prints and draws, computed again.
-    Reproduce = "reproduce";
-    /// Published contacts and the user's own.
-    Presets = "presets";
-    /// What an equation or a code means.
-    Explain = "explain";
+named! {
+    /// A task that this program can do with models, such as `rescale`.
+    /// A task that this program can do with models, such as `rescale`.
+    /// A task that this program can do with models, such as `rescale`.
+    pub enum Verb {
+        /// A model's own contacts at another mass.
+        Rescale = "rescale",
+        /// Contacts of another model or of a preset.
+        Transfer = "transfer",
+        /// Contacts for a model that has none.
+        Add = "add",
+        /// Contacts out of a model.
+        Remove = "remove",
+        /// Forces of one class as forces of the other.
+        Convert = "convert",
+        /// Parameters from what is wanted.
+        Design = "design",
+        /// Plain values and factors.
+        Set = "set",
+        /// The mass that contacts were made for, written down.
+        Note = "note",
+        /// Many models, as a table says.
+        Batch = "batch",
+        /// Variants of one model.
+        Sweep = "sweep",
+        /// What contacts a model has, and what they do.
+        Inspect = "inspect",
+        /// Models compared with the limits of the paper and the traps of the format.
+        Check = "check",
+        /// A body that falls on its contacts.
+        DropTest = "drop-test",
+        /// Contacts along a recorded motion.
+        Motion = "motion",
+        /// Draws figures.
+        Plot = "plot",
+        /// Parameters from a measured indentation and force.
+        Fit = "fit",
+        /// What the paper prints and draws, computed again.
+        Reproduce = "reproduce",
+        /// Published contacts and the user's own.
+        Presets = "presets",
+        /// What an equation or a code means.
+        Explain = "explain",
+    }
 }
 
 // Inputs and calls as they are in a sentence.
@@ -290,6 +272,15 @@ pub struct Call {
 }
 
 impl Verb {
+    /// Name of the verb, for example `drop-test`.
+    pub const fn name(self) -> &'static str {
+        self.as_str()
+    }
+
+    pub fn find(name: &str) -> Option<Self> {
+        Self::ALL.iter().copied().find(|verb| verb.name() == name)
+    }
+
     pub const fn call(self) -> Call {
         Call { verb: self, with_model: false, inputs: Vec::new() }
     }

@@ -4,8 +4,9 @@ use std::borrow::Cow;
 use std::cell::RefCell;
 use std::fmt;
 
-use super::input::{Call, Example, PhrasePart};
-use super::input::{Input, Verb};
+use foldhash::{HashSet, HashSetExt};
+
+use super::input::{Call, Example, Input, PhrasePart, Verb};
 use super::printable::one_line;
 
 /// A message text. Inputs and calls in it are data until a front end writes them in its own way.
@@ -59,6 +60,8 @@ impl Phrase {
     pub fn inputs(&self) -> Vec<Input> {
         let mut named = Vec::new();
         name_inputs(&self.0, &mut named);
+        let mut seen = HashSet::new();
+        named.retain(|input| seen.insert(*input));
         named
     }
 
@@ -103,22 +106,14 @@ impl Input {
     }
 }
 
-/// Adds the inputs in `parts` to `named`, each once.
+/// Adds the inputs in `parts` to `named`, in their order.
 fn name_inputs(parts: &[PhrasePart], named: &mut Vec<Input>) {
     for part in parts {
-        let inputs: Vec<Input> = match part {
-            PhrasePart::Text(_) => vec![],
-            PhrasePart::Input(input, _) => vec![*input],
-            PhrasePart::Call(call) => call.inputs.iter().map(|(input, _)| *input).collect(),
-            PhrasePart::Either(_, words) => {
-                name_inputs(&words[0], named);
-                vec![]
-            }
-        };
-        for input in inputs {
-            if !named.contains(&input) {
-                named.push(input);
-            }
+        match part {
+            PhrasePart::Text(_) => {}
+            PhrasePart::Input(input, _) => named.push(*input),
+            PhrasePart::Call(call) => named.extend(call.inputs.iter().map(|(input, _)| *input)),
+            PhrasePart::Either(_, words) => name_inputs(&words[0], named),
         }
     }
 }
@@ -171,12 +166,12 @@ fn template_part(text: &str) -> Option<PhrasePart> {
 /// Reads `name` or `name=VALUE`. A value that begins with a capital letter is a placeholder.
 fn template_input(word: &str) -> Option<(Input, Option<Example>)> {
     let (name, value) = word.split_once('=').map_or((word, None), |(name, value)| (name, Some(value)));
-    let input = Input::ALL.iter().find(|input| input.name() == name)?;
+    let input = Input::find(name)?;
     let example = value.map(|value| match value.starts_with(|c: char| c.is_ascii_uppercase()) {
         true => Example::Placeholder(Cow::Owned(value.to_owned())),
         false => Example::Value(value.to_owned()),
     });
-    Some((*input, example))
+    Some((input, example))
 }
 
 /// Writes each input as the name of its field ([`FieldNames`]).
@@ -197,41 +192,26 @@ pub trait IntoParts {
     fn into_parts(self) -> Vec<PhrasePart>;
 }
 
-impl IntoParts for &'static str {
-    fn into_parts(self) -> Vec<PhrasePart> {
-        vec![PhrasePart::Text(Cow::Borrowed(self))]
-    }
+/// The parts of each type, made from its value.
+macro_rules! into_parts {
+    ($($from:ty: $value:ident => $parts:expr;)+) => {$(
+        impl IntoParts for $from {
+            fn into_parts(self) -> Vec<PhrasePart> {
+                let $value = self;
+                $parts
+            }
+        }
+    )+};
 }
 
-/// A computed text may contain names from files. It is shown on one line, with invisible letters escaped.
-impl IntoParts for String {
-    fn into_parts(self) -> Vec<PhrasePart> {
-        vec![PhrasePart::Text(Cow::Owned(one_line(self)))]
-    }
-}
-
-impl IntoParts for PhrasePart {
-    fn into_parts(self) -> Vec<PhrasePart> {
-        vec![self]
-    }
-}
-
-impl IntoParts for Input {
-    fn into_parts(self) -> Vec<PhrasePart> {
-        vec![PhrasePart::Input(self, None)]
-    }
-}
-
-impl IntoParts for Call {
-    fn into_parts(self) -> Vec<PhrasePart> {
-        vec![PhrasePart::Call(self)]
-    }
-}
-
-impl IntoParts for &Phrase {
-    fn into_parts(self) -> Vec<PhrasePart> {
-        self.0.clone()
-    }
+into_parts! {
+    &'static str: text => vec![PhrasePart::Text(Cow::Borrowed(text))];
+    // A computed text may contain names from files. It is shown on one line, with invisible letters escaped.
+    String: text => vec![PhrasePart::Text(Cow::Owned(one_line(text)))];
+    PhrasePart: part => vec![part];
+    Input: input => vec![PhrasePart::Input(input, None)];
+    Call: call => vec![PhrasePart::Call(call)];
+    &Phrase: phrase => phrase.0.clone();
 }
 
 /// Makes a [`Phrase`] from texts, inputs, calls and other phrases.
