@@ -193,7 +193,9 @@ fn placed_spheres(
         let scaled_m = now.rotation.scaled_in_frame(of_body, old.location_m);
         let here_m = now.location_m;
         let expected_m = [scaled_m, centre_on_sole(now, old, (of_body, now.radius_m), up)];
-        let is_at = |place_m, tolerance_m| is_same_place(here_m, place_m, tolerance_m);
+        let is_at = |place_m: [f64; 3], tolerance_m| {
+            here_m.iter().zip(place_m).all(|(a, b)| (a - b).abs() <= tolerance_m)
+        };
         let rounding_m = SAME_PLACE_M.max(now.rounding_m);
         // A place with all its digits is no other place rounded.
         let tolerance_m = if is_at(old.location_m, SAME_PLACE_M) { SAME_PLACE_M } else { rounding_m };
@@ -235,8 +237,4 @@ fn centre_on_sole(
 ) -> [f64; 3] {
     let scaled = |vector| now.rotation.scaled_in_frame(factors, vector);
     up.in_frame(&now.rotation).levelled_centre(old.location_m, old.radius_m, radius_m, scaled)
-}
-
-fn is_same_place(a: [f64; 3], b: [f64; 3], tolerance_m: f64) -> bool {
-    a.iter().zip(b).all(|(a, b)| (a - b).abs() <= tolerance_m)
 }

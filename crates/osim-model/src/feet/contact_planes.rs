@@ -71,16 +71,11 @@ impl ContactPlane {
             }
         }
         // Sorted once: after each force, it would be work that grows with their square.
-        let sorted = planes_with_spheres.planes.into_iter().map(|(plane, mut spheres)| {
+        let contact_planes = planes_with_spheres.planes.into_iter().map(|(plane, mut spheres)| {
             spheres.sort_unstable();
-            (plane, spheres)
+            Self { surface: PlaneSurface::of(model, &plane, pose), plane, spheres }
         });
-        sorted.map(|(plane, spheres)| Self::new(model, plane, spheres, pose)).collect()
-    }
-
-    fn new(model: &Model, plane: Arc<HalfSpace>, spheres: Vec<SphereId>, pose: &DefaultPose) -> Self {
-        let surface = PlaneSurface::of(model, &plane, pose);
-        Self { plane, spheres, surface }
+        contact_planes.collect()
     }
 }
 

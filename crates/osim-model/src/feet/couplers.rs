@@ -48,18 +48,16 @@ impl Couplers {
         for (document, constraint) in enforced_constraints(model) {
             match read_coupler(document, constraint) {
                 Some(coupler) => couplers.couplers.push(coupler),
-                None => couplers.unknown.push(unknown_constraint(document, constraint)),
+                None => {
+                    let tree = document.tree();
+                    couplers.unknown.push(PoseFault::Constraint {
+                        constraint: tree.attribute(constraint, "name").unwrap_or_default().into_owned(),
+                        class: tree.name(constraint).to_owned(),
+                    });
+                }
             }
         }
         couplers
-    }
-}
-
-fn unknown_constraint(document: &Document, constraint: ElementId) -> PoseFault {
-    let tree = document.tree();
-    PoseFault::Constraint {
-        constraint: tree.attribute(constraint, "name").unwrap_or_default().into_owned(),
-        class: tree.name(constraint).to_owned(),
     }
 }
 
@@ -82,7 +80,10 @@ fn coordinate_values(model: &Model) -> CoordinateValues {
     for joint in model.joints() {
         let document = model.file(joint.file);
         for coordinate in &joint.coordinates {
-            let value = prescribed_value(document, coordinate.element).unwrap_or(coordinate.default);
+            let value = match prescribed_function(document, coordinate.element) {
+                Some(function) => function.map(|function| function.value(0.0)),
+                None => coordinate.default,
+            };
             if let Some(value) = value {
                 values.entry(coordinate.name.clone()).or_insert(value);
             }
@@ -90,25 +91,11 @@ fn coordinate_values(model: &Model) -> CoordinateValues {
     }
     let couplers = Couplers::of(model);
     let doubt = couplers.unknown.first().cloned();
-    let unknown = apply_couplers(&mut values, &couplers.couplers);
-    for dependent in unknown {
-        // Its joint says that it has no value.
+    for dependent in apply_couplers(&mut values, &couplers.couplers) {
+                // Its joint says that it has no value.
         values.remove(&dependent);
     }
     CoordinateValues { values, doubt }
-}
-
-/// The names of the coordinates that an enforced coupler constraint determines.
-fn dependent_coordinates(model: &Model) -> HashSet<String> {
-    let couplers =
-        enforced_constraints(model).into_iter().filter_map(|(document, id)| read_coupler(document, id));
-    couplers.map(|coupler| coupler.dependent).collect()
-}
-
-/// The value of a prescribed coordinate at time 0; `None` if the coordinate is not prescribed, `Some(None)` if its function is not
-/// supported.
-fn prescribed_value(document: &Document, coordinate: ElementId) -> Option<Option<f64>> {
-    Some(prescribed_function(document, coordinate)?.map(|function| function.value(0.0)))
 }
 
 /// The function of time that prescribes a coordinate; `None` if the coordinate is not prescribed, `Some(None)` if the function is not
@@ -123,11 +110,6 @@ fn prescribing_element(document: &Document, coordinate: ElementId) -> Option<Ele
     let tree = document.tree();
     let function = tree.children(tree.child(coordinate, "prescribed_function")?).next()?;
     is_prescribed.then_some(function)
-}
-
-/// Whether a function of time prescribes the coordinate.
-fn is_prescribed(document: &Document, coordinate: ElementId) -> bool {
-    prescribing_element(document, coordinate).is_some()
 }
 
 /// The enforced constraints in all files of the model.
@@ -224,14 +206,17 @@ pub(crate) struct CoordinateStates<'m> {
 
 impl<'m> CoordinateStates<'m> {
     pub(crate) fn of(model: &'m Model) -> Self {
-        Self { model, dependent: dependent_coordinates(model) }
+        let couplers = Couplers::of(model).couplers.into_iter();
+        Self { model, dependent: couplers.map(|coupler| coupler.dependent).collect() }
     }
 
     pub(crate) fn state_of(&self, joint: &ModelJoint, coordinate: &JointCoordinate) -> CoordinateState {
         let document = self.model.file(joint.file);
         if matches!(document.flag(coordinate.element, "locked"), Ok(Some(true))) {
             CoordinateState::Locked
-        } else if self.dependent.contains(&coordinate.name) || is_prescribed(document, coordinate.element) {
+        } else if self.dependent.contains(&coordinate.name)
+            || prescribing_element(document, coordinate.element).is_some()
+        {
             CoordinateState::Driven
         } else {
             CoordinateState::Free

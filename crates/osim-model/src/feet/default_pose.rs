@@ -55,48 +55,39 @@ impl DefaultPose {
 }
 
 impl Placements {
-    fn of(model: &Model) -> Self {
-        let joints = model.joints();
-        let coordinates = CoordinateValues::at_default_pose(model);
-        let places = JointPlacements { model, values: &coordinates.values };
-        let mut pose = Self { placements: HashMap::new(), doubt: coordinates.doubt.clone() };
-        let open = pose.place_all_bodies(joints, &places);
-        pose.doubt = pose.doubt.or(open);
-        pose
-    }
-
-    /// Places all bodies, beginning at ground. Returns a fault if a joint closes a loop of joints and the two chains lead to different
+    /// Places all bodies, beginning at ground. It is in doubt if a joint closes a loop of joints and the two chains lead to different
     /// places.
-    fn place_all_bodies(&mut self, joints: &[ModelJoint], places: &JointPlacements<'_>) -> Option<PoseFault> {
-        let mut open = None;
-        for JointStep { joint, from, to, forward, closes } in joints_from_ground(joints) {
-            let placement = self.placement_beyond(joint, from, forward, places);
+    fn of(model: &Model) -> Self {
+        let coordinates = CoordinateValues::at_default_pose(model);
+        let mut pose = Self { placements: HashMap::new(), doubt: coordinates.doubt.clone() };
+        for JointStep { joint, from, to, forward, closes } in joints_from_ground(model.joints()) {
+            let in_parent = joint_placement(model, &coordinates.values, joint);
+            let placement = pose.placement_beyond(in_parent, from, forward);
             let earlier = match to {
                 None => Some(Ok(Placement::IDENTITY)),
-                Some(body) => self.placements.get(body).cloned(),
+                Some(body) => pose.placements.get(body).cloned(),
             };
             match (earlier, to) {
                 (Some(known), _) if closes && !are_equal_placements(&known, &placement) => {
-                    open = open.or(Some(PoseFault::Loop { joint: joint.name.clone() }));
+                    pose.doubt.get_or_insert(PoseFault::Loop { joint: joint.name.clone() });
                 }
                 (None, Some(body)) => {
-                    self.placements.insert(body.to_owned(), placement);
+                    pose.placements.insert(body.to_owned(), placement);
                 }
                 _ => {}
             }
         }
-        open
+        pose
     }
 
-    /// The placement of the body at the far end of `joint`, seen from the body `here`.
+    /// The placement of the body at the far end of a joint that is placed `in_parent`, seen from the body `here`.
     fn placement_beyond(
         &self,
-        joint: &ModelJoint,
+        in_parent: Result<Placement, PoseFault>,
         here: Option<&str>,
         forward: bool,
-        places: &JointPlacements<'_>,
     ) -> Result<Placement, PoseFault> {
-        let placement = places.placement(joint)?;
+        let placement = in_parent?;
         let placement = if forward { placement } else { placement.inverse() };
         match here.and_then(|body| self.placements.get(body)) {
             Some(here) => Ok(here.clone()?.then(&placement)),
@@ -105,25 +96,21 @@ impl Placements {
     }
 }
 
-/// Computes the placement of a joint's child frame in its parent frame at the default pose.
-struct JointPlacements<'m> {
-    model: &'m Model,
-    values: &'m HashMap<String, f64>,
-}
-
-impl JointPlacements<'_> {
-    /// Placement of the joint's child frame in its parent frame.
-    fn placement(&self, joint: &ModelJoint) -> Result<Placement, PoseFault> {
-        let mut values = Vec::new();
-        for coordinate in &joint.coordinates {
-            let missing =
-                || PoseFault::Coordinate { coordinate: coordinate.name.clone(), joint: joint.name.clone() };
-            values.push(*self.values.get(&coordinate.name).ok_or_else(missing)?);
-        }
-        let unknown = || PoseFault::Joint { joint: joint.name.clone(), class: joint.class.clone() };
-        let placement = joint.placement(self.model, &values).ok_or_else(unknown)?;
-        if placement.point(DVec3::ONE).is_finite() { Ok(placement) } else { Err(unknown()) }
+/// Placement of the joint's child frame in its parent frame, at these values of its coordinates.
+fn joint_placement(
+    model: &Model,
+    known: &HashMap<String, f64>,
+    joint: &ModelJoint,
+) -> Result<Placement, PoseFault> {
+    let mut values = Vec::new();
+    for coordinate in &joint.coordinates {
+        let missing =
+            || PoseFault::Coordinate { coordinate: coordinate.name.clone(), joint: joint.name.clone() };
+        values.push(*known.get(&coordinate.name).ok_or_else(missing)?);
     }
+    let unknown = || PoseFault::Joint { joint: joint.name.clone(), class: joint.class.clone() };
+    let placement = joint.placement(model, &values).ok_or_else(unknown)?;
+    if placement.point(DVec3::ONE).is_finite() { Ok(placement) } else { Err(unknown()) }
 }
 
 /// Whether two placements are equal. Also true if one of them is not known.

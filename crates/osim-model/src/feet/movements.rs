@@ -170,10 +170,8 @@ impl Coordinates<'_> {
             return mobility_of_class(&joint.class);
         }
         let own = joint.coordinates.iter().map(|coordinate| self.known.values.get(&coordinate.name).copied());
-        let placed = own
-            .collect::<Option<Vec<f64>>>()
-            .and_then(|values| Some((joint.placement(self.model, &values)?, values)));
-        let Some((here, values)) = placed else { return Mobility::ALL };
+        let Some(values) = own.collect::<Option<Vec<f64>>>() else { return Mobility::ALL };
+        let Some(here) = joint.placement(self.model, &values) else { return Mobility::ALL };
         let is_free = |coordinate| self.states.state_of(joint, coordinate) == CoordinateState::Free;
         let free = joint.coordinates.iter().enumerate().filter(|(_, coordinate)| is_free(coordinate));
         free.fold(Mobility::default(), |all, (index, _)| {

@@ -92,15 +92,11 @@ impl Tree {
     /// # Errors
     /// The bytes are not one well-formed document. The error has the byte at which this was noticed.
     pub fn scan(bytes: impl Into<Vec<u8>>) -> Result<Self, SyntaxError> {
-        scan(bytes.into())
-    }
-}
-
-fn scan(bytes: Vec<u8>) -> Result<Tree, SyntaxError> {
-    let file = FileText::new(bytes);
-    match pieces_and_elements(&file) {
-        Ok((pieces, elements)) => Ok(Tree::new(file, pieces, elements)),
-        Err((fault, offset)) => Err(SyntaxError { fault, offset, file }),
+        let file = FileText::new(bytes.into());
+        match pieces_and_elements(&file) {
+            Ok((pieces, elements)) => Ok(Self::new(file, pieces, elements)),
+            Err((fault, offset)) => Err(SyntaxError { fault, offset, file }),
+        }
     }
 }
 
@@ -224,13 +220,8 @@ impl<'t> Scanner<'t> {
         self.push(start, kind);
         let id = self.elements.len() as u32;
         let parent = self.open.last().copied().unwrap_or(0);
-        self.elements.push(StoredElement {
-            open,
-            close: open,
-            parent,
-            subtree_end: id + 1,
-            name_len: name_len as u32,
-        });
+        let (subtree_end, name_len) = (id + 1, name_len as u32);
+        self.elements.push(StoredElement { open, close: open, parent, subtree_end, name_len });
         self.open.push(id);
         Ok(())
     }
@@ -328,7 +319,7 @@ mod tests {
 
     #[track_caller]
     fn fault_of_xml(bytes: &[u8]) -> (SyntaxFault, usize) {
-        let error = scan(bytes.to_vec()).unwrap_err();
+        let error = Tree::scan(bytes.to_vec()).unwrap_err();
         (error.fault, error.offset)
     }
 
@@ -336,7 +327,7 @@ mod tests {
     fn pieces_tile_the_file() {
         let text =
             b"\xEF\xBB\xBF<?xml version='1.0'?>\r\n<a x='1'>t<!-- <!-- -->&amp;<b/><![CDATA[<]]></a>\n";
-        let tree = scan(text.to_vec()).unwrap();
+        let tree = Tree::scan(text.to_vec()).unwrap();
         let mut at = 0;
         for piece in tree.pieces() {
             assert_eq!(piece.span.start, at);
@@ -349,7 +340,7 @@ mod tests {
     #[test]
     fn elements_know_their_children_and_spans() {
         let text = "<a><b n='1'><c/></b><d>x</d></a>";
-        let tree = scan(text.as_bytes().to_vec()).unwrap();
+        let tree = Tree::scan(text.as_bytes().to_vec()).unwrap();
         let names: Vec<_> = tree.children(ElementId::ROOT).map(|id| tree.name(id)).collect();
         assert_eq!(names, ["b", "d"]);
         let b = tree.child(ElementId::ROOT, "b").unwrap();
@@ -410,8 +401,8 @@ mod tests {
     #[test]
     fn deep_elements_and_many_attributes_take_linear_time() {
         let deep = "<a>".repeat(100_000) + &"</a>".repeat(100_000);
-        assert_eq!(scan(deep.into_bytes()).unwrap().element_count(), 100_000);
+        assert_eq!(Tree::scan(deep.into_bytes()).unwrap().element_count(), 100_000);
         let wide: String = (0..100_000).map(|i| format!(" a{i}='1'")).collect();
-        assert!(scan(format!("<a{wide}/>").into_bytes()).is_ok());
+        assert!(Tree::scan(format!("<a{wide}/>").into_bytes()).is_ok());
     }
 }

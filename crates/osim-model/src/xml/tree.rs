@@ -55,7 +55,7 @@ impl ElementId {
 
 /// An element as the tree stores it: indices of its tags among the pieces, and of its parent and the end of its descendants among the
 /// elements.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub(super) struct StoredElement {
     /// Index of the piece that is the start tag (or the tag of an element without content).
     pub(super) open: u32,
@@ -147,13 +147,7 @@ impl Tree {
 
     fn element(&self, id: ElementId) -> StoredElement {
         // Ids are only made by this tree; the fallback keeps a foreign id from panicking.
-        self.elements.get(id.index()).copied().unwrap_or(StoredElement {
-            open: 0,
-            close: 0,
-            parent: 0,
-            subtree_end: 0,
-            name_len: 0,
-        })
+        self.elements.get(id.index()).copied().unwrap_or_default()
     }
 
     pub fn is_empty_tag(&self, id: ElementId) -> bool {

@@ -173,11 +173,8 @@ impl Follow {
             logarithms += libm::log(x * y * z) / 3.0;
             count += 1.0;
             let place = if request.moved == MovedSpheres::Keep && !now.is_as_in(old) {
-                FollowedSphere {
-                    old_radius_m: old.radius_m,
-                    radius_m: now.radius_m,
-                    location_m: now.location_m,
-                }
+                let (radius_m, location_m) = (now.radius_m, now.location_m);
+                FollowedSphere { old_radius_m: old.radius_m, radius_m, location_m }
             } else {
                 moved_sphere(now, old, body_factors, request)
             };
@@ -224,16 +221,12 @@ impl AnatomySphere {
 }
 
 fn refuse_unmatched_spheres(model: &Model, wanted: &[SphereId], generic: &Anatomy) -> Result<(), Fault> {
-    let names = wanted.iter().filter_map(|&id| model.sphere(id)).map(|sphere| &sphere.name);
-    if let Some(name) = names.into_iter().find(|name| generic.has_several_spheres(name)) {
+    let names = || wanted.iter().filter_map(|&id| model.sphere(id)).map(|sphere| &sphere.name);
+    if let Some(name) = names().find(|name| generic.has_several_spheres(name)) {
         return Err(Fault::refused(format!("the reference has several spheres called {name}: expected one")));
     }
-    let unmatched: Vec<&str> = wanted
-        .iter()
-        .filter_map(|&id| model.sphere(id))
-        .filter(|sphere| generic.sphere(&sphere.name).is_none())
-        .map(|sphere| sphere.name.as_str())
-        .collect();
+    let unmatched: Vec<&str> =
+        names().filter(|name| generic.sphere(name).is_none()).map(String::as_str).collect();
     if unmatched.is_empty() {
         return Ok(());
     }
@@ -255,16 +248,13 @@ fn refuse_moved_spheres(
     if moved != MovedSpheres::Refuse {
         return Ok(());
     }
-    let changed: Vec<&str> = wanted
-        .iter()
-        .filter_map(|&id| scaled.spheres.get(id.index()))
-        .filter(|now| generic.sphere(&now.name).is_some_and(|old| !now.is_as_in(old)))
-        .map(|now| now.name.as_str())
-        .collect();
-    if changed.is_empty() {
+    let is_changed = |now: &&AnatomySphere| generic.sphere(&now.name).is_some_and(|old| !now.is_as_in(old));
+    let changed = wanted.iter().filter_map(|&id| scaled.spheres.get(id.index())).filter(is_changed);
+    let spheres: Vec<String> = changed.map(|now| now.name.clone()).collect();
+    if spheres.is_empty() {
         return Ok(());
     }
-    let spheres = changed.into_iter().map(str::to_owned).collect();
+
     Err(Fault::new(MissingFact::MovedSpheres { model: model.name.clone(), spheres }))
 }
 

@@ -56,16 +56,12 @@ impl ScaleFile {
         let mut factors: BTreeMap<String, [f64; 3]> = BTreeMap::new();
         let scales = tree.child(root, "objects").into_iter().flat_map(|objects| tree.children(objects));
         for scale in scales.filter(|&scale| tree.name(scale) == "Scale") {
-            let Some(segment) =
-                tree.child(scale, "segment").map(|segment| tree.text_of(segment).into_owned())
-            else {
-                continue;
-            };
+            let Some(segment) = tree.child(scale, "segment") else { continue };
+            let segment = tree.text_of(segment).into_owned();
             let applied = document.flag(scale, "apply")?.unwrap_or(true);
             let values = if applied { document.triple(scale, "scales") } else { Some([1.0; 3]) };
-            let Some(values) =
-                values.filter(|values| values.iter().all(|value| *value > 0.0 && value.is_finite()))
-            else {
+            let is_factor = |value: &f64| *value > 0.0 && value.is_finite();
+            let Some(values) = values.filter(|values| values.iter().all(is_factor)) else {
                 let text = format!("the scales of segment {segment} are not three numbers above 0");
                 return Err(Fault::at_span(FaultKind::Refused(text), tree.span(scale)));
             };

@@ -57,10 +57,7 @@ pub(super) fn first_difference(scaled: &Anatomy, reference: &Anatomy) -> Option<
         shared.into_iter().find_map(|body| {
             let meshes = bone_pairs(scaled, reference, body);
             let joints = joints.on(body);
-            AXIS_NAMES
-                .iter()
-                .enumerate()
-                .find_map(|(axis, name)| unexplained_offset(body, &meshes, joints, axis, name))
+            (0..3).find_map(|axis| unexplained_offset(body, &meshes, joints, axis))
         })
     })
 }
@@ -97,18 +94,15 @@ impl<'a> SharedJoints<'a> {
         for joint in &reference.joints {
             there.entry(ends(joint)).or_insert(joint);
         }
-        let mut shared = Self(HashMap::new());
+        let mut shared: HashMap<&str, Vec<SharedOffset<'_>>> = HashMap::new();
         for joint in &scaled.joints {
             let Some(old) = there.get(&ends(joint)) else { continue };
             let offset = |reference_m, scaled_m| SharedOffset { joint: &joint.name, reference_m, scaled_m };
-            shared.push(&joint.parent, offset(old.in_parent_m, joint.in_parent_m));
-            shared.push(&joint.child, offset(old.in_child_m, joint.in_child_m));
-        }
-        shared
-    }
 
-    fn push(&mut self, body: &'a str, offset: SharedOffset<'a>) {
-        self.0.entry(body).or_default().push(offset);
+            shared.entry(joint.parent.as_str()).or_default().push(offset(old.in_parent_m, joint.in_parent_m));
+            shared.entry(joint.child.as_str()).or_default().push(offset(old.in_child_m, joint.in_child_m));
+        }
+        Self(shared)
     }
 
     /// Offsets of the joints' frames on `body`, in file order.
@@ -122,7 +116,6 @@ fn unexplained_offset(
     meshes: &[BonePair],
     joints: &[SharedOffset<'_>],
     axis: usize,
-    name: &'static str,
 ) -> Option<CopyDifference> {
     let meshes: Vec<f64> = meshes.iter().filter_map(|pair| pair.factors[axis]).collect();
     let offsets: Vec<(&str, f64, f64)> =
@@ -135,7 +128,7 @@ fn unexplained_offset(
     let positive = |value: f64| value.is_finite() && value > 0.0;
     let same = |value: f64, factor: f64| (value - factor).abs() <= SAME_MESH_FACTOR * factor;
     if meshes.iter().any(|&value| !positive(value) || factor.is_some_and(|factor| !same(value, factor))) {
-        return Some(CopyDifference::Meshes { body: body.to_owned(), axis: name });
+        return Some(CopyDifference::Meshes { body: body.to_owned(), axis: AXIS_NAMES[axis] });
     }
     // Without a factor, both offsets have to be next to nothing.
     let wrong = offsets.iter().find(|(_, old, new)| match factor {
@@ -145,7 +138,7 @@ fn unexplained_offset(
     wrong.map(|(joint, old, new)| CopyDifference::Offset {
         body: body.to_owned(),
         joint: (*joint).to_owned(),
-        axis: name,
+        axis: AXIS_NAMES[axis],
         here_m: *new,
         there_m: *old,
     })

@@ -309,7 +309,8 @@ pub(super) fn withdraw_doubtful_factors(
             if is_given(&axes) {
                 return None;
             }
-            let of_meshes = || differing_meshes(sources).filter(|_| uses_source(&axes, FactorSource::Mesh));
+            let uses_mesh = axes.iter().flatten().any(|axis| axis.source == FactorSource::Mesh);
+            let of_meshes = || differing_meshes(sources).filter(|_| uses_mesh);
             let of_sides = || {
                 let other = pairs.other_side(sources.body)?;
                 differing_sides(sources.body, &axes, other.body, &by_name.axes_of_body(factors, other.body))
@@ -327,10 +328,6 @@ pub(super) fn withdraw_doubtful_factors(
             body.axes = [None; 3];
         }
     }
-}
-
-fn uses_source(axes: &[Option<AxisFactor>; 3], source: FactorSource) -> bool {
-    axes.iter().flatten().any(|axis| axis.source == source)
 }
 
 fn differing_meshes(sources: &BodyFactorSources<'_>) -> Option<UnknownFactors> {

@@ -87,7 +87,7 @@ fn push_bounds(
     let numbers = opensim_text::numbers(&text).unwrap_or_default();
     // One number is both bounds.
     for (place, value) in numbers.into_iter().take(2).enumerate().filter(|(_, value)| value.is_finite()) {
-        found.values.push(SizedValue::new(kind, name.to_owned(), (part, place), value));
+        found.values.push(SizedValue { kind, owner: name.to_owned(), part: (part, place), value });
     }
 }
 

@@ -128,11 +128,8 @@ fn length_ratio(model: &ModelSize, original: &ModelSize) -> (Option<f64>, Length
         }
     }
     let ratio = new / old;
-    if ratio.is_finite() && ratio > 0.0 {
-        (Some(ratio), LengthFrom::Joints(bodies))
-    } else {
-        (None, LengthFrom::Mass)
-    }
+    let is_known = ratio.is_finite() && ratio > 0.0;
+    if is_known { (Some(ratio), LengthFrom::Joints(bodies)) } else { (None, LengthFrom::Mass) }
 }
 
 fn similarity_rows(

@@ -32,7 +32,7 @@ impl FootBodies {
         forces: &[ForceId],
         pose: &DefaultPose,
     ) -> Vec<Self> {
-        let tree = BodyTree::new(anatomy);
+        let tree = BodyTree { anatomy };
         if spheres.is_empty() {
             let up = model.up();
             let height_m = |body: &str| Some(up.dot(pose.placement(body).ok()?.translation_m));
@@ -131,7 +131,7 @@ fn feet_of_group(
 
 /// The feet of a model without spheres: bodies near the ground.
 fn feet_near_ground(tree: &BodyTree<'_>, height_m: &dyn Fn(&str) -> Option<f64>) -> Vec<FootBodies> {
-    let names: Vec<&str> = tree.bodies().collect();
+    let names: Vec<&str> = tree.anatomy.bodies.iter().map(String::as_str).collect();
     let sided = |name: &&str| Side::of_name(name).is_some();
     let heights: Vec<(&str, f64)> = names.iter().filter_map(|&name| Some((name, height_m(name)?))).collect();
     let low = heights.iter().map(|(_, height)| *height).fold(f64::INFINITY, f64::min);
@@ -159,15 +159,6 @@ pub(super) struct BodyTree<'t> {
 }
 
 impl<'t> BodyTree<'t> {
-    pub(super) fn new(anatomy: &'t Anatomy) -> Self {
-        Self { anatomy }
-    }
-
-    /// All bodies of the model, in file order.
-    pub(super) fn bodies(&self) -> impl Iterator<Item = &'t str> {
-        self.anatomy.bodies.iter().map(String::as_str)
-    }
-
     fn parent(&self, body: &str) -> Option<&'t str> {
         self.anatomy.joint_above(body).map(|joint| joint.parent.as_str())
     }

@@ -65,12 +65,7 @@ pub fn mesh_surface(name: &str, bytes: &[u8]) -> Result<MeshSurface, MeshFault> 
         Some("obj") => obj_and_stl::obj_surface(bytes),
         _ => Err(MeshFault::UnknownKind),
     }?;
-    for (index, point) in surface.points.iter().enumerate() {
-        if let Some((value, axis)) = point.iter().zip(['x', 'y', 'z']).find(|(value, _)| !is_length(**value))
-        {
-            return Err(MeshFault::Coordinate { point: index + 1, axis, value: value.to_string() });
-        }
-    }
+    refuse_large_coordinates(&surface.points)?;
     Ok(surface)
 }
 
@@ -80,13 +75,19 @@ pub(crate) fn is_length(value: f64) -> bool {
 }
 
 /// The points without repeats, if they can be the points of a surface.
-fn checked_points(mut points: Vec<[f64; 3]>) -> Result<Vec<[f64; 3]>, MeshFault> {
+fn refuse_large_coordinates(points: &[[f64; 3]]) -> Result<(), MeshFault> {
     for (index, point) in points.iter().enumerate() {
         if let Some((value, axis)) = point.iter().zip(['x', 'y', 'z']).find(|(value, _)| !is_length(**value))
         {
             return Err(MeshFault::Coordinate { point: index + 1, axis, value: value.to_string() });
         }
     }
+    Ok(())
+}
+
+fn checked_points(mut points: Vec<[f64; 3]>) -> Result<Vec<[f64; 3]>, MeshFault> {
+    refuse_large_coordinates(&points)?;
+
     let mut seen = HashSet::with_capacity(points.len());
     // The place in the file of each point that stays.
     let (mut numbers, mut number) = (Vec::new(), 0);
@@ -165,10 +166,8 @@ fn stray_point(points: &[[f64; 3]]) -> Option<StrayPoint> {
         .filter(|&index| far.get(index).is_some_and(|far| *far > STRAY_OVER_REACH * reach))
         .collect();
     farthest.sort_by(|a, b| far.get(*b).partial_cmp(&far.get(*a)).unwrap_or(std::cmp::Ordering::Equal));
-    let index = farthest
-        .into_iter()
-        .take(MOST_POINTS_COMPARED)
-        .find(|&index| is_alone(points, index, NEIGHBOUR_DISTANCE * reach))?;
+    let mut compared = farthest.into_iter().take(MOST_POINTS_COMPARED);
+    let index = compared.find(|&index| is_alone(points, index, NEIGHBOUR_DISTANCE * reach))?;
     Some(StrayPoint { index, distance: *far.get(index)?, reach })
 }
 

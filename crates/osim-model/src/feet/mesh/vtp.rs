@@ -249,9 +249,12 @@ impl<'b> Coding<'b> {
     fn header_number(&self, bytes: &[u8], index: usize) -> Result<usize, MeshFault> {
         let start = index.checked_mul(self.header).ok_or(POINTS_TRUNCATED)?;
         let bytes = bytes.get(start..).and_then(|bytes| bytes.get(..self.header)).ok_or(POINTS_TRUNCATED)?;
+        usize::try_from(self.integer(bytes)).map_err(|_| POINTS_TRUNCATED)
+    }
+
+    fn integer(&self, bytes: &[u8]) -> u64 {
         let add = |value: u64, byte: &u8| value << 8 | u64::from(*byte);
-        let value = if self.big_endian { bytes.iter().fold(0, add) } else { bytes.iter().rev().fold(0, add) };
-        usize::try_from(value).map_err(|_| POINTS_TRUNCATED)
+        if self.big_endian { bytes.iter().fold(0, add) } else { bytes.iter().rev().fold(0, add) }
     }
 }
 
@@ -313,11 +316,9 @@ fn decode_integers(bytes: &[u8], kind: &str, coding: &Coding<'_>) -> Result<Vec<
             return Err(MeshFault::Unsupported(format!("polygons of type {other:?} are not read")));
         }
     };
-    let add = |value: u64, byte: &u8| value << 8 | u64::from(*byte);
-    let value = |bytes: &[u8]| match coding.big_endian {
-        true => bytes.iter().fold(0, add),
-        false => bytes.iter().rev().fold(0, add),
-    };
     // One that is too large names no point.
-    Ok(bytes.chunks_exact(width).map(|bytes| usize::try_from(value(bytes)).unwrap_or(usize::MAX)).collect())
+    // One that is too large names no point.
+    // One that is too large names no point.
+    let integers = bytes.chunks_exact(width).map(|bytes| coding.integer(bytes));
+    Ok(integers.map(|value| usize::try_from(value).unwrap_or(usize::MAX)).collect())
 }

@@ -331,14 +331,12 @@ fn reaches_nearly_as_far(some: &[DVec2], all: &[DVec2]) -> bool {
 
 /// The corners that are the farthest in at least one direction, in their order.
 fn farthest_corners(corners: &[DVec2]) -> Vec<DVec2> {
-    let farthest = (0..SEARCH_DIRECTIONS).filter_map(|turn| farthest_along(corners, search_direction(turn)));
+    let farthest = (0..SEARCH_DIRECTIONS).filter_map(|turn| {
+        let angle = std::f64::consts::TAU * f64::from(turn) / f64::from(SEARCH_DIRECTIONS);
+        farthest_along(corners, DVec2::new(libm::cos(angle), libm::sin(angle)))
+    });
     let farthest: Vec<DVec2> = farthest.collect();
     corners.iter().filter(|corner| farthest.contains(corner)).copied().collect()
-}
-
-fn search_direction(turn: u32) -> DVec2 {
-    let angle = std::f64::consts::TAU * f64::from(turn) / f64::from(SEARCH_DIRECTIONS);
-    DVec2::new(libm::cos(angle), libm::sin(angle))
 }
 
 /// The two of `corners` that are farthest apart.

@@ -88,11 +88,9 @@ pub fn soles(model: &Model, bones: &[Bone], request: &SoleRequest) -> Result<Vec
         let pair = foot.pair_in(&feet).and_then(|pair| feet.get(pair));
         let across = pair.and_then(|pair| left_to_right(foot, pair, &pose));
         let axes = FootAxes::of(up, foot.side, &points, across);
-        let sole = sole(foot, &points, &axes, request).map_err(|fits| FeetFault::TooManySpheres {
-            bodies: foot.bodies.clone(),
-            count: request.count,
-            fits,
-        })?;
+        let (bodies, count) = (foot.bodies.clone(), request.count);
+        let sole = sole(foot, &points, &axes, request);
+        let sole = sole.map_err(|fits| FeetFault::TooManySpheres { bodies, count, fits })?;
         Ok(sole.in_bodies(&placements))
     });
     soles.collect()
@@ -247,7 +245,9 @@ impl SoleBodies {
 
 /// Groups the bodies of `bones` into feet, in the order of the first body of each foot.
 fn group_bodies(model: &Model, bones: &[Bone]) -> Vec<SoleBodies> {
-    let parents = parents_of_bodies(model);
+    let joints = model.joints().iter();
+    let parents: HashMap<String, String> =
+        joints.filter_map(|joint| Some((joint.child.clone()?, joint.parent.clone()?))).collect();
     let mut listed: Vec<&str> = Vec::new();
     for bone in bones {
         if !listed.contains(&bone.body.as_str()) {
@@ -276,11 +276,6 @@ fn group_bodies(model: &Model, bones: &[Bone]) -> Vec<SoleBodies> {
         foot
     };
     feet.into_iter().map(sided).collect()
-}
-
-fn parents_of_bodies(model: &Model) -> HashMap<String, String> {
-    let joints = model.joints().iter();
-    joints.filter_map(|joint| Some((joint.child.clone()?, joint.parent.clone()?))).collect()
 }
 
 /// The highest body, from `body` upwards, that belongs to the same foot: it is in the list, or it is of the same side and has another
