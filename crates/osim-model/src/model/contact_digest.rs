@@ -62,7 +62,7 @@ impl Model {
                 feed(0, Property::Radius, changed(key).unwrap_or(sphere.radius.number));
             }
         }
-        digest_of_usual_length(hash)
+        digest_digits(hash, DIGEST_BYTES)
     }
 
     /// Digest of the radii of all spheres of contact forces, in any order. `changed` gives the new value of radii that a plan changes.
@@ -71,11 +71,7 @@ impl Model {
             let key = ValueKey::new(sphere.file, sphere.element, Property::Radius);
             changed(key).unwrap_or(sphere.radius.number).to_bits()
         };
-        let mut radii: Vec<u64> = self.spheres_of_forces().map(radius).collect();
-        radii.sort_unstable();
-        let mut hash = Sha256::new();
-        radii.into_iter().for_each(|radius| hash.update(radius.to_le_bytes()));
-        digest_digits(hash, PART_DIGEST_BYTES)
+        digest_of_bits(self.spheres_of_forces().map(radius).collect(), PART_DIGEST_BYTES)
     }
 
     /// Digest of the locations of all spheres of contact forces, in their frames, with the bodies that carry them, in any order. `moved`
@@ -142,11 +138,15 @@ impl Model {
 
 /// The first 16 digits of the SHA-256 of `bytes`, by which a note recognises a reference file.
 pub fn short_digest(bytes: &[u8]) -> String {
-    digest_of_usual_length(Sha256::new_with_prefix(bytes))
+    digest_digits(Sha256::new_with_prefix(bytes), DIGEST_BYTES)
 }
 
-fn digest_of_usual_length(hash: Sha256) -> String {
-    digest_digits(hash, DIGEST_BYTES)
+/// The digest of numbers, whatever their order.
+fn digest_of_bits(mut numbers: Vec<u64>, bytes: usize) -> String {
+    numbers.sort_unstable();
+    let mut hash = Sha256::new();
+    numbers.into_iter().for_each(|number| hash.update(number.to_le_bytes()));
+    digest_digits(hash, bytes)
 }
 
 fn digest_digits(hash: Sha256, bytes: usize) -> String {
@@ -187,13 +187,10 @@ impl Model {
                 values.entry(value.property).or_default().push(number.to_bits());
             }
         }
-        let digest = |mut bits: Vec<u64>| {
-            bits.sort_unstable();
-            let mut hash = Sha256::new();
-            bits.into_iter().for_each(|bits| hash.update(bits.to_le_bytes()));
-            digest_digits(hash, PROPERTY_DIGEST_BYTES)
-        };
-        values.into_iter().map(|(property, bits)| (property, digest(bits))).collect()
+        let digests = values
+            .into_iter()
+            .map(|(property, bits)| (property, digest_of_bits(bits, PROPERTY_DIGEST_BYTES)));
+        digests.collect()
     }
 }
 

@@ -1,6 +1,7 @@
 //! One OpenSim file: its bytes, its elements, its version, its data root and its `<defaults>`.
 
 use std::borrow::Cow;
+use std::ops::Range;
 use std::sync::OnceLock;
 
 use foldhash::{HashMap, HashMapExt};
@@ -10,17 +11,8 @@ use crate::xml::opensim_text::{NumberFault, flag, number, trimmed, triple};
 use crate::xml::{ElementId, LineIndex, SyntaxError, TextPosition, Tree};
 
 /// Sets of a model that OpenSim also reads from separate files.
-const FILE_SETS: [&str; 9] = [
-    "BodySet",
-    "ComponentSet",
-    "ConstraintSet",
-    "ContactGeometrySet",
-    "ControllerSet",
-    "ForceSet",
-    "JointSet",
-    "MarkerSet",
-    "ProbeSet",
-];
+const FILE_SETS: &str = "BodySet ComponentSet ConstraintSet ContactGeometrySet ControllerSet ForceSet JointSet \
+    MarkerSet ProbeSet";
 /// Sets of parameters inside a contact force that OpenSim also reads from separate files.
 const PARAMETER_FILE_SETS: [&str; 2] =
     ["HuntCrossleyForce::ContactParametersSet", "ElasticFoundationForce::ContactParametersSet"];
@@ -122,12 +114,11 @@ impl Document {
     /// The effective value of `property` of `object`, from the element `tag`: the object's own element, else `<defaults>`, else the default
     /// of the class.
     pub(crate) fn value(&self, object: ElementId, class: Class, property: Property, tag: &str) -> Value {
-        if let Some(element) = self.tree.child(object, tag) {
-            return self.value_of_element(element, property, || {
-                self.inherited_value(object, class, property, tag).number
-            });
+        let inherited = || self.inherited_value(object, class, property, tag);
+        match self.tree.child(object, tag) {
+            Some(element) => self.value_of_element(element, property, || inherited().number),
+            None => inherited(),
         }
-        self.inherited_value(object, class, property, tag)
     }
 
     fn value_of_element(
@@ -144,12 +135,19 @@ impl Document {
             }
             Err(fault) => (fallback(), Some(fault)),
         };
-        let offset = if raw.span.is_empty() { self.tree.span(element).start } else { raw.span.start };
-        let span = if raw.span.is_empty() { self.tree.span(element) } else { raw.span };
+        let span = self.span_of_value(element);
+        let offset = span.start;
+
         // A blank that is not ASCII looks like one and does not count as one: show it.
         let text =
             if raw.text.is_ascii() { raw.text.into_owned() } else { raw.text.escape_default().to_string() };
         Value { property, number, origin: ValueOrigin::Element, span: Some(span), fault, text, offset }
+    }
+
+    /// Where the text of `element` is; the whole element if it has none.
+    pub(crate) fn span_of_value(&self, element: ElementId) -> Range<usize> {
+        let text = self.tree.raw_text(element).span;
+        if text.is_empty() { self.tree.span(element) } else { text }
     }
 
     fn inherited_value(&self, object: ElementId, class: Class, property: Property, tag: &str) -> Value {
@@ -196,20 +194,15 @@ impl Document {
         let (parent, tag) = (self.tree.parent(id)?, self.tree.name(id));
         let is_set = match self.tree.name(parent) {
             "components" | "frames" => return Some(file),
-            "Model" => FILE_SETS.contains(&tag),
+            "Model" => FILE_SETS.split(' ').any(|set| set == tag),
             _ => PARAMETER_FILE_SETS.contains(&tag),
         };
         (is_set && self.tree.child(parent, tag) == Some(id)).then_some(file)
     }
 
-    /// The first object of `class` in `<defaults>`, whatever its name.
-    fn default_object(&self, class: &str) -> Option<&DefaultObject> {
-        self.by_class.get(class)
-    }
-
     /// The element of the property `tag` of `class` in `<defaults>`, if there is one.
     pub fn default_property(&self, class: &str, tag: &str) -> Option<ElementId> {
-        self.default_object(class)?.properties.get(tag).copied()
+        self.by_class.get(class)?.properties.get(tag).copied()
     }
 
     /// The element of a property: the object's own element, else the element in `<defaults>`.
@@ -224,7 +217,7 @@ impl Document {
 
     /// The object in `<defaults>` that has the class of `object`, if there is one.
     pub(crate) fn defaults_of(&self, object: ElementId) -> Option<ElementId> {
-        self.default_object(self.tree.name(object)).map(|default| default.element)
+        self.by_class.get(self.tree.name(object)).map(|default| default.element)
     }
 
     /// The whole text of a list or path.

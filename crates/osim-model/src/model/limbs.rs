@@ -44,18 +44,12 @@ pub enum Limbs {
 
 impl Limbs {
     pub fn if_known(&self) -> Option<&[Limb]> {
-        match self {
-            Self::Known(limbs) => Some(limbs),
-            Self::Unknown(_) => None,
-        }
+        if let Self::Known(limbs) = self { Some(limbs) } else { None }
     }
 
     /// Why the limbs are not known; `None` if they are.
     pub fn why_unknown(&self) -> Option<&Phrase> {
-        match self {
-            Self::Known(_) => None,
-            Self::Unknown(why) => Some(why),
-        }
+        if let Self::Unknown(why) = self { Some(why) } else { None }
     }
 
     /// The number of spheres of each limb, if all limbs have the same number.
@@ -113,9 +107,8 @@ impl Model {
         let tops = |id: ForceId| -> HashSet<ComponentId> {
             let spheres = self.force(id).map(Force::spheres).unwrap_or_default();
             let moving = spheres.into_iter().filter_map(|id| self.sphere(id)).filter(|sphere| !sphere.fixed);
-            let top = |sphere: &Sphere| match sphere.base {
-                Carrier::Body(body) => Some(self.skeleton().top(body)),
-                _ => None,
+            let top = |sphere: &Sphere| {
+                if let Carrier::Body(body) = sphere.base { Some(self.skeleton().top(body)) } else { None }
             };
             moving.filter_map(top).collect()
         };
@@ -170,10 +163,10 @@ impl Model {
             limbs.push(self.limb(&carriers.iter().collect::<Vec<_>>(), top)?);
             return Ok(());
         }
-        let [top] = tree.tops() else {
+        let [top] = tree.tops[..] else {
             return Err("spheres are on bodies that are joined only through ground".to_owned());
         };
-        let mut groups = vec![*top];
+        let mut groups = vec![top];
         while let Some(body) = groups.pop() {
             if !tree.sides(body).are_both() {
                 limbs.push(self.limb(&tree.below(body), Some(body))?);
@@ -295,11 +288,6 @@ impl<'f> CarrierTree<'f> {
         }
         tree.nodes.values_mut().for_each(|node| node.children.sort_unstable());
         tree
-    }
-
-    /// Bodies of the tree without a parent body.
-    fn tops(&self) -> &[ComponentId] {
-        &self.tops
     }
 
     /// The sides of all bodies with spheres, from `body` downwards.

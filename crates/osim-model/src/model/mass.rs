@@ -172,15 +172,9 @@ impl MassRequest {
         } else {
             self.model_mass(model)?
         };
-        let findings = self.disagreements(model, &mass);
+        let noted = noted_kg.filter(|_| mass.source != MassSource::Note);
+        let findings = self.disagreements(model, &mass, noted.map(|kg| (kg, "the note in the file".into())));
         Ok((mass, findings))
-    }
-
-    /// A warning for each other source whose mass differs from the mass `taken`.
-    fn disagreements(&self, model: &Model, taken: &Mass) -> Vec<Finding> {
-        let noted = model.note.as_ref().and_then(|note| note.contacts_mass_kg);
-        let noted = noted.filter(|_| taken.source != MassSource::Note);
-        self.disagreements_with(model, taken, noted.map(|kg| (kg, "the note in the file".into())))
     }
 
     /// A warning if the note in `model` is not in doubt and its mass differs from the mass that the caller gave.
@@ -204,10 +198,11 @@ impl MassRequest {
     /// A warning for each other source of the model's mass that differs from `taken`. The note is ignored, because the model gets other
     /// contacts.
     pub fn weight_disagreements(&self, model: &Model, taken: &Mass) -> Vec<Finding> {
-        self.disagreements_with(model, taken, None)
+        self.disagreements(model, taken, None)
     }
 
-    fn disagreements_with(&self, model: &Model, taken: &Mass, noted: Option<(f64, Phrase)>) -> Vec<Finding> {
+    /// A warning for each other source, and for the mass `noted`, that differs from the mass `taken`.
+    fn disagreements(&self, model: &Model, taken: &Mass, noted: Option<(f64, Phrase)>) -> Vec<Finding> {
         let noted_kg = noted.as_ref().map(|(kg, _)| *kg);
         let mut others: Vec<(f64, Phrase)> = noted.into_iter().collect();
         if let (Some(kg), true) = (self.model_kg, taken.source != MassSource::Mass) {
@@ -279,44 +274,32 @@ const GRAMS_OF_A_TARGET: std::ops::RangeInclusive<f64> = 200.0..=5000.0;
 
 /// A question about the mass `kg`, which the caller gave as `input`, if it looks wrong for bodies of `bodies_kg` together.
 pub fn implausible_mass(input: Input, kg: f64, bodies_kg: Option<f64>) -> Option<Suspicion> {
-    suspicious_mass(input, kg, bodies_kg, POUNDS_TOLERANCE)
+    suspicious_mass(input, kg, bodies_kg, POUNDS_TOLERANCE, None)
 }
 
 /// A question about a mass that looks wrong. The mass counts as pounds if it is as near as `near_pounds` (relative) to the bodies' mass in
-/// pounds.
-fn suspicious_mass(input: Input, kg: f64, bodies_kg: Option<f64>, near_pounds: f64) -> Option<Suspicion> {
+/// pounds. In a table whose other rows have the masses `other_rows`, it is compared with these, not with the bodies: if the masses of all
+/// rows differ from the bodies, this is intended.
+fn suspicious_mass(
+    input: Input,
+    kg: f64,
+    bodies_kg: Option<f64>,
+    near_pounds: f64,
+    other_rows: Option<MassesOfOtherRows>,
+) -> Option<Suspicion> {
     // What the bodies weigh is the right unit.
-    if is_mass_of_bodies(input, kg, bodies_kg) {
+    if input == Input::TargetMass && bodies_kg.is_some_and(|bodies| are_equal_masses(kg, bodies)) {
         return None;
     }
     let near =
         |factor: f64| bodies_kg.is_some_and(|bodies| (kg / bodies / factor - 1.0).abs() <= near_pounds);
-    let mistake = gross_mistake(input, kg, bodies_kg)
-        .or_else(|| near(1.0 / POUND_KG).then_some(MassMistake::Pounds))
-        .or_else(|| near(POUND_KG).then_some(MassMistake::BodiesInPounds))?;
-    Some(Suspicion::Mass { input, kg, bodies_kg, other_rows: None, mistake })
-}
-
-/// A question about the mass in a row of a table whose other rows have the masses `other_rows`. A mass is compared with the other rows, not
-/// with the bodies: if the masses of all rows differ from the bodies, this is intended.
-fn suspicious_mass_in_table(
-    input: Input,
-    kg: f64,
-    bodies_kg: Option<f64>,
-    other_rows: MassesOfOtherRows,
-) -> Option<Suspicion> {
-    if is_mass_of_bodies(input, kg, bodies_kg) {
-        return None;
-    }
-    if let Some(mistake) = gross_mistake(input, kg, bodies_kg) {
-        return Some(Suspicion::Mass { input, kg, bodies_kg, other_rows: None, mistake });
-    }
-    let mistake = other_rows.mistake(kg)?;
-    Some(Suspicion::Mass { input, kg, bodies_kg, other_rows: Some(other_rows), mistake })
-}
-
-fn is_mass_of_bodies(input: Input, kg: f64, bodies_kg: Option<f64>) -> bool {
-    input == Input::TargetMass && bodies_kg.is_some_and(|bodies| are_equal_masses(kg, bodies))
+    let (mistake, other_rows) = match (gross_mistake(input, kg, bodies_kg), other_rows) {
+        (Some(mistake), _) => (mistake, None),
+        (None, Some(rows)) => (rows.mistake(kg)?, other_rows),
+        (None, None) if near(1.0 / POUND_KG) => (MassMistake::Pounds, None),
+        (None, None) => (near(POUND_KG).then_some(MassMistake::BodiesInPounds)?, None),
+    };
+    Some(Suspicion::Mass { input, kg, bodies_kg, other_rows, mistake })
 }
 
 /// Whether the mass looks like grams or tonnes, or is impossible for an animal.
@@ -373,10 +356,8 @@ impl MassRequest {
             .is_some_and(|(target_mass_kg, bodies)| are_equal_masses(target_mass_kg, bodies));
         let question = |(input, kg): (Input, Option<f64>)| {
             let kg = kg.filter(|&kg| !noted_kg.is_some_and(|noted| are_equal_masses(kg, noted)))?;
-            let doubt = match self.other_rows.get(&input) {
-                Some(&other_rows) => suspicious_mass_in_table(input, kg, bodies_kg, other_rows)?,
-                None => suspicious_mass(input, kg, bodies_kg, near_pounds)?,
-            };
+            let other_rows = self.other_rows.get(&input).copied();
+            let doubt = suspicious_mass(input, kg, bodies_kg, near_pounds, other_rows)?;
             let explained = unit_is_known && input == Input::ContactsMass && doubt.is_about_pounds();
             (!explained).then_some(doubt)
         };

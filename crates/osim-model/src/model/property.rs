@@ -45,7 +45,8 @@ pub enum Property {
 }
 
 impl Property {
-    /// Every property that can be changed, in the order in which reports list them.
+    /// Every property that can be changed, in the order in which reports list them: first the parameters of a `ContactParameters`, then the
+    /// others of a smooth force.
     pub const ALL: [Self; 10] = [
         Self::Stiffness,
         Self::Dissipation,
@@ -99,16 +100,7 @@ impl Property {
     }
 
     const fn may_be_zero(self) -> bool {
-        matches!(
-            self,
-            Self::Dissipation
-                | Self::StaticFriction
-                | Self::DynamicFriction
-                | Self::ViscousFriction
-                | Self::TransitionVelocity
-                | Self::ConstantContactForce
-                | Self::Mass
-        )
+        !matches!(self, Self::Stiffness | Self::HertzSmoothing | Self::HuntCrossleySmoothing | Self::Radius)
     }
 }
 
@@ -172,19 +164,6 @@ pub enum Class {
     ContactHalfSpace,
     Body,
 }
-
-/// The numeric properties of a smooth force; the first five are those of a parameter set, too.
-const SMOOTH_PARAMETERS: [Property; 9] = [
-    Property::Stiffness,
-    Property::Dissipation,
-    Property::StaticFriction,
-    Property::DynamicFriction,
-    Property::ViscousFriction,
-    Property::TransitionVelocity,
-    Property::ConstantContactForce,
-    Property::HertzSmoothing,
-    Property::HuntCrossleySmoothing,
-];
 
 /// A list of tags in one row.
 macro_rules! tags {
@@ -254,8 +233,8 @@ impl Class {
     pub const fn parameters(self) -> &'static [Property] {
         match self {
             Self::HuntCrossleyForce => &[Property::TransitionVelocity],
-            Self::ContactParameters => SMOOTH_PARAMETERS.split_at(5).0,
-            Self::SmoothSphereHalfSpaceForce => &SMOOTH_PARAMETERS,
+            Self::ContactParameters => Property::ALL.split_at(5).0,
+            Self::SmoothSphereHalfSpaceForce => Property::ALL.split_at(9).0,
             Self::ContactSphere | Self::ContactEllipsoid => &[Property::Radius],
             Self::ContactHalfSpace => &[],
             Self::Body => &[Property::Mass],

@@ -136,22 +136,8 @@ impl Model {
         if !is_alone || self.note_fault.is_some() {
             return None;
         }
-        let mut model = Self {
-            components: Arc::clone(&self.components),
-            skeleton: Arc::clone(&self.skeleton),
-            body_facts: Arc::clone(&self.body_facts),
-            half_spaces: self.half_spaces.clone(),
-            spheres: self.spheres.clone(),
-            forces: self.forces.clone(),
-            note_fault: None,
-            included: self.included.clone(),
-            name: self.name.clone(),
-            gravity_m_s2: self.gravity_m_s2,
-            note,
-            irregularities: self.irregularities.clone(),
-            doubt_about_note: OnceLock::new(),
-            findings: OnceLock::new(),
-        };
+        let (doubt_about_note, findings) = (OnceLock::new(), OnceLock::new());
+        let mut model = Self { note_fault: None, note, doubt_about_note, findings, ..self.clone() };
         model.set_contact_numbers(changed);
         Some(model)
     }

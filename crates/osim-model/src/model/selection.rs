@@ -96,16 +96,13 @@ impl Selection {
         if candidates.is_empty() {
             return Err(no_contacts(model));
         }
-        let wanted = |id: &ForceId| {
-            model
-                .force(*id)
-                .is_some_and(|force| self.matches_name(&force.name) && (force.applies || !self.skip_disabled))
-        };
-        let forces: Vec<ForceId> = candidates.iter().copied().filter(wanted).collect();
+        let wanted =
+            |force: &&Force| self.matches_name(&force.name) && (force.applies || !self.skip_disabled);
+        let forces = candidates.iter().filter_map(|&id| model.force(id)).filter(wanted);
+        let forces: Vec<ForceId> = forces.map(|force| force.id).collect();
         if forces.is_empty() {
-            return Err(Fault::new(FaultKind::NothingSelected {
-                forces: model.short_force_names(candidates),
-            }));
+            let forces = model.short_force_names(candidates);
+            return Err(Fault::new(FaultKind::NothingSelected { forces }));
         }
         Ok(Selected { complete: is_complete(model, &forces), forces })
     }
@@ -192,10 +189,8 @@ fn refuse_several_trees(model: &Model, forces: &[ForceId]) -> Result<(), Fault> 
     if trees.len() < 2 {
         return Ok(());
     }
-    let tree = |(top, forces): (String, Vec<ForceId>)| ForcesOfAnimal {
-        top,
-        forces: model.short_force_names(&forces),
-    };
-    let trees = trees.into_iter().map(tree).collect();
+    let trees = trees.into_iter();
+    let trees =
+        trees.map(|(top, forces)| ForcesOfAnimal { top, forces: model.short_force_names(&forces) }).collect();
     Err(Fault::new(MissingFact::Selection { trees, input: Input::Select }))
 }

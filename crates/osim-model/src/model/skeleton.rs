@@ -90,10 +90,7 @@ impl Skeleton {
     /// moving spheres, and no such sphere.
     pub(crate) fn exclude_plates(&mut self, components: &Components, forces: &[Force], spheres: &[Sphere]) {
         let of_force = |force: &Force| force.spheres().into_iter().filter_map(|id| spheres.get(id.index()));
-        let top = |base: &Carrier| match base {
-            Carrier::Body(body) => Some(self.top(*body)),
-            Carrier::Ground | Carrier::Unknown => None,
-        };
+        let top = |base: &Carrier| if let Carrier::Body(body) = base { Some(self.top(*body)) } else { None };
         let on_floors = forces.iter().filter(|force| of_force(force).any(|sphere| !sphere.fixed));
         let floors = on_floors.flat_map(Force::half_space_bases);
         let mut plates: HashSet<ComponentId> = floors.filter_map(|base| top(&base)).collect();
@@ -218,8 +215,7 @@ impl JointRelations {
 
     fn add_joint(&mut self, components: &Components, joint: ComponentId, weld: bool) -> Option<JointLink> {
         let end = |socket: &str, legacy: &[&str]| -> Option<Carrier> {
-            let connectee = components.connectee(joint, socket, legacy)?;
-            components.base(components.frame_of(joint, &connectee)?.component).ok()
+            components.base(components.frame_at(joint, socket, legacy)?.component).ok()
         };
         let parent = end("parent_frame", &["parent_body"]).or_else(|| end("parent_body", &[]));
         let owner = components.tree.get(joint).and_then(|component| component.parent);
@@ -243,10 +239,7 @@ impl JointRelations {
     }
 
     fn parent(&self, body: ComponentId) -> Option<ComponentId> {
-        match self.parents.get(&body)? {
-            Carrier::Body(parent) => Some(*parent),
-            Carrier::Ground | Carrier::Unknown => None,
-        }
+        if let Carrier::Body(parent) = self.parents.get(&body)? { Some(*parent) } else { None }
     }
 }
 

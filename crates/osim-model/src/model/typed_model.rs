@@ -21,7 +21,7 @@ use crate::xml::TextPosition;
 /// assert_eq!((sphere.name.as_str(), sphere.radius_m()?), ("heel_r", 0.03));
 /// # Ok::<(), osim_model::Fault>(())
 /// ```
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct Model {
     /// The components, shared with copies of this model that have other numbers of contacts.
     pub(crate) components: Arc<Components>,

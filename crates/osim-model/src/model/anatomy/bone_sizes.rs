@@ -45,8 +45,7 @@ fn read_frame(offsets: &mut TriplesByBody, components: &Components, frame: Compo
 fn read_joint(offsets: &mut TriplesByBody, components: &Components, joint: ComponentId) {
     for end in ["parent", "child"] {
         let frame = components
-            .connectee(joint, &format!("{end}_frame"), &[])
-            .and_then(|frame| components.frame_of(joint, &frame))
+            .frame_at(joint, &format!("{end}_frame"), &[])
             .and_then(|found| found.component)
             .filter(|&frame| components.tag(frame) == "PhysicalOffsetFrame");
         if let Some((body, translation)) = frame.and_then(|frame| offset_on_body(components, frame)) {
@@ -63,20 +62,16 @@ fn read_old_joint(offsets: &mut TriplesByBody, components: &Components, joint: C
     let owner = components.tree.get(joint).and_then(|object| object.parent);
     let Some(child) = owner.filter(|&id| components.tag(id) == "Body") else { return };
     let name = components.name(joint);
-    if let Some(in_child) = document.triple(element, "location") {
-        offsets
-            .entry(components.name(child).into_owned())
-            .or_default()
-            .insert(format!("{name} child"), in_child);
-    }
-    let parent = components.connectee(joint, "parent_frame", &["parent_body"]);
-    let parent =
-        parent.and_then(|parent| components.frame_of(joint, &parent)).and_then(|found| found.component);
-    if let (Some(parent), Some(in_parent)) = (parent, document.triple(element, "location_in_parent")) {
-        offsets
-            .entry(components.name(parent).into_owned())
-            .or_default()
-            .insert(format!("{name} parent"), in_parent);
+    let parent = components.frame_at(joint, "parent_frame", &["parent_body"]);
+    let ends = [
+        ("child", Some(child), "location"),
+        ("parent", parent.and_then(|found| found.component), "location_in_parent"),
+    ];
+    for (end, body, tag) in ends {
+        if let (Some(body), Some(place)) = (body, document.triple(element, tag)) {
+            let of_body = offsets.entry(components.name(body).into_owned()).or_default();
+            of_body.insert(format!("{name} {end}"), place);
+        }
     }
 }
 
@@ -136,9 +131,8 @@ fn meshes(components: &Components, body: ComponentId) -> BTreeMap<String, [f64; 
 
 /// The body to which an offset frame is fixed directly, and the frame's translation on it.
 fn offset_on_body(components: &Components, frame: ComponentId) -> Option<(String, [f64; 3])> {
-    let parent = components.connectee(frame, "parent", &["parent_frame"])?;
-    let body =
-        components.frame_of(frame, &parent)?.component.filter(|&found| components.tag(found) == "Body")?;
+    let parent = components.frame_at(frame, "parent", &["parent_frame"])?.component;
+    let body = parent.filter(|&found| components.tag(found) == "Body")?;
     let translation =
         components.document_of(frame).triple(components.element(frame), "translation").unwrap_or([0.0; 3]);
     Some((components.name(body).into_owned(), translation))

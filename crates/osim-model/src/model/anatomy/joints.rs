@@ -244,8 +244,8 @@ fn joint_end(
     socket: &str,
     legacy: &[&str],
 ) -> Option<(Option<String>, Placement)> {
-    let connectee = components.connectee(joint, socket, legacy)?;
-    let (body, placement) = placement_on_base(components, components.frame_of(joint, &connectee)?.component)?;
+    let frame = components.frame_at(joint, socket, legacy)?.component;
+    let (body, placement) = placement_on_base(components, frame)?;
     Some((body.map(|body| components.name(body).into_owned()), placement))
 }
 
@@ -263,8 +263,7 @@ pub(crate) fn placement_on_base(
             _ => {}
         }
         placement = own_placement(components, frame, "translation", "orientation").then(&placement);
-        let parent = components.connectee(frame, "parent", &["parent_frame"])?;
-        at = components.frame_of(frame, &parent)?.component;
+        at = components.frame_at(frame, "parent", &["parent_frame"])?.component;
     }
     None
 }

@@ -206,11 +206,10 @@ impl Anatomy {
             rename(&mut joint.child);
         }
         self.spheres.iter_mut().filter_map(|sphere| sphere.body.as_mut()).for_each(rename);
-        if let Some(meshes) = self.meshes.remove(body) {
-            self.meshes.insert(name.to_owned(), meshes);
-        }
-        if let Some(offsets) = self.offsets.remove(body) {
-            self.offsets.insert(name.to_owned(), offsets);
+        for by_body in [&mut self.meshes, &mut self.offsets] {
+            if let Some(triples) = by_body.remove(body) {
+                by_body.insert(name.to_owned(), triples);
+            }
         }
         self.index = AnatomyIndex::new(&self);
         self
@@ -252,8 +251,7 @@ impl Model {
     pub(crate) fn constraints_to_ground(&self) -> Vec<(ComponentId, String)> {
         let components = self.components();
         let base = |id: ComponentId, socket: &str, others: &[&str]| {
-            let connectee = components.connectee(id, socket, others)?;
-            components.base(components.frame_of(id, &connectee)?.component).ok()
+            components.base(components.frame_at(id, socket, others)?.component).ok()
         };
         let ids = components.tree.iter().map(|(id, _)| id);
         let fixing = ids.filter(|&id| ["WeldConstraint", "PointConstraint"].contains(&components.tag(id)));

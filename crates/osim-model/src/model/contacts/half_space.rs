@@ -106,9 +106,7 @@ impl HalfSpace {
             component: id,
         })
     }
-}
 
-impl HalfSpace {
     /// The place of the half-space's location in its file.
     pub fn location_slot(&self) -> Slot {
         self.location_slot.clone()
@@ -139,10 +137,7 @@ fn without_rounding(part: f64) -> f64 {
 fn location_slot(components: &Components, id: ComponentId, tag: &'static str) -> Slot {
     let (document, object) = (components.document_of(id), components.element(id));
     let tree = document.tree();
-    let span = tree.child(object, tag).map(|element| {
-        let raw = tree.raw_text(element);
-        if raw.span.is_empty() { tree.span(element) } else { raw.span }
-    });
+    let span = tree.child(object, tag).map(|element| document.span_of_value(element));
     let class = match components.tag(id) {
         "ContactHalfSpace" => Class::ContactHalfSpace,
         _ => Class::SmoothSphereHalfSpaceForce,

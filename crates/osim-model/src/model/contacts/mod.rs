@@ -184,8 +184,8 @@ pub fn root_mean_square(radii: impl Iterator<Item = f64> + Clone) -> f64 {
         None => f64::NAN,
         Some(first) if others.all(|other| other == first) => first,
         Some(_) => {
-            let (sum, count) =
-                radii.fold((0.0, 0.0), |(sum, count), radius| (sum + radius * radius, count + 1.0));
+            let add = |(sum, count), radius: f64| (sum + radius * radius, count + 1.0);
+            let (sum, count) = radii.fold((0.0, 0.0), add);
             (sum / count).sqrt()
         }
     }
@@ -289,8 +289,7 @@ impl Model {
             flag.ok().flatten().unwrap_or(true)
         };
         let is_fixed = |surface: ComponentId| {
-            let frame =
-                components.frame_of(surface, &components.connectee(surface, "frame", &["body_name"])?)?;
+            let frame = components.frame_at(surface, "frame", &["body_name"])?;
             Some(self.skeleton().is_fixed(components.base(frame.component).ok()?))
         };
         let meets_ground = |id: ComponentId| {

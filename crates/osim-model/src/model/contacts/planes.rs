@@ -125,11 +125,7 @@ impl Model {
         let gravity = DVec3::from(self.gravity_m_s2.unwrap_or_default());
         self.gravity().filter(|&length| length > 0.0).map_or(DVec3::Y, |length| -gravity / length)
     }
-}
 
-// Frames of contact spheres, seen from the body that carries them.
-
-impl Model {
     /// Rotation of a sphere's frame in the body that carries it, through all offset frames between them.
     pub fn rotation_of(&self, sphere: &Sphere) -> Result<Rotation, Fault> {
         let components = self.components();
@@ -177,8 +173,7 @@ impl Components {
     }
 
     fn parent_frame(&self, frame: ComponentId) -> Option<ComponentId> {
-        let parent = self.connectee(frame, "parent", &["parent_frame"])?;
-        self.frame_of(frame, &parent)?.component
+        self.frame_at(frame, "parent", &["parent_frame"])?.component
     }
 
     /// Rotation of a frame in the body (or ground) that carries it, through all offset frames.

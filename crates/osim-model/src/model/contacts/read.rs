@@ -103,10 +103,7 @@ impl<'r> ContactReader<'r> {
         let GeometryFrame { path: frame, base, component: frame_component } = frame;
         let document = self.components.document_of(id);
         let location = document.tree().child(self.components.element(id), spelling.location_tag());
-        let location_span = location.map(|element| {
-            let raw = document.tree().raw_text(element);
-            if raw.span.is_empty() { document.tree().span(element) } else { raw.span }
-        });
+        let location_span = location.map(|element| document.span_of_value(element));
         let body = match base {
             Carrier::Body(body) => Some(self.components.name(body).into_owned()),
             Carrier::Ground | Carrier::Unknown => None,

@@ -263,29 +263,17 @@ impl FaultKind {
     }
 }
 
-impl From<SyntaxFault> for FaultKind {
-    fn from(fault: SyntaxFault) -> Self {
-        Self::Syntax(fault)
-    }
+macro_rules! kinds_from {
+    ($($from:ident => $kind:ident),+) => {$(
+        impl From<$from> for FaultKind {
+            fn from(from: $from) -> Self {
+                Self::$kind(from)
+            }
+        }
+    )+};
 }
 
-impl From<MissingFact> for FaultKind {
-    fn from(fact: MissingFact) -> Self {
-        Self::MissingFact(fact)
-    }
-}
-
-impl From<Suspicion> for FaultKind {
-    fn from(doubt: Suspicion) -> Self {
-        Self::Suspicion(doubt)
-    }
-}
-
-impl From<DomainError> for FaultKind {
-    fn from(error: DomainError) -> Self {
-        Self::Quantity(error)
-    }
-}
+kinds_from!(MissingFact => MissingFact, Suspicion => Suspicion, DomainError => Quantity);
 
 fn number_hint(property: &str, fault: &NumberFault) -> String {
     match fault {

@@ -184,11 +184,11 @@ impl MissingFact {
                     each.join("; "), advice_for_verbs_that_take(*input, ": choose the forces with ", "GLOB", "")
                 ]
             }
-            other => other.about_spheres(),
+            other => other.about_spheres_or_reference(),
         }
     }
 
-    fn about_spheres(&self) -> Phrase {
+    fn about_spheres_or_reference(&self) -> Phrase {
         match self {
             Self::SphereCount { of, why } => phrase![
                 "how many spheres share the body weight is not known: {}: say it with {}";
@@ -199,12 +199,6 @@ impl MissingFact {
                 text.push(&radius.phrase());
                 text
             }
-            other => other.about_reference(),
-        }
-    }
-
-    fn about_reference(&self) -> Phrase {
-        match self {
             Self::ReferenceContact { reference, unmatched } => phrase![
                 "the contacts of {reference} differ from each other, and it has no spheres with these names: {}: \
                 choose the contact to take with {}";

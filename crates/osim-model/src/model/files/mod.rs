@@ -30,14 +30,13 @@ pub struct Failure {
 impl Failure {
     /// A failure for `fault` in the file `model`, with the place of the fault after [`located`](Fault::located).
     pub fn from_fault(model: impl Into<FileName>, fault: Fault) -> Self {
+        let unplaced = Self::outside(model, fault.code(), fault.phrase());
         Self {
-            model: model.into(),
-            code: fault.code(),
-            message: fault.phrase(),
             line: fault.position.map(|position| position.line),
             column: fault.position.map(|position| position.column),
             needs_answer: matches!(fault.kind, FaultKind::MissingFact(_) | FaultKind::Suspicion(_)),
             excerpt: fault.excerpt,
+            ..unplaced
         }
     }
 
@@ -125,12 +124,8 @@ impl ModelFiles {
         let name = FileName::from(path);
         let mut companions = Vec::new();
         for path in [beside.geometry, beside.model].into_iter().flatten() {
-            companions.push(read_companion(
-                path.to_owned(),
-                None,
-                files,
-                "a file that belongs to the model: ",
-            )?);
+            let what = "a file that belongs to the model: ";
+            companions.push(read_companion(path.to_owned(), None, files, what)?);
         }
         if !may_include(&bytes) {
             return Ok(Self { name, main: MainFile::WithoutIncludes(bytes), companions });
@@ -238,10 +233,7 @@ fn read_companion(
     files: &dyn Files,
     what: &str,
 ) -> Result<CompanionFile, Failure> {
-    let failed = |error: FileError| {
-        let message = format!("{what}{error}");
-        Failure::outside(path.as_path(), "unreadable", message)
-    };
+    let failed = |error: FileError| Failure::outside(path.as_path(), "unreadable", format!("{what}{error}"));
     let read = if included_by.is_some() { files.read_included(&path) } else { files.read(&path) };
     let bytes = read.map_err(failed)?;
     Ok(CompanionFile { path, bytes, included_by, include_name: None })

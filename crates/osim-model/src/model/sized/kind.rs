@@ -1,13 +1,6 @@
 //! The kinds of numbers that change with body size, and the properties of OpenSim classes that have these kinds.
 
-use self::SizedKind::{
-    ActivationTime, ActuatorForce, ActuatorTime, ActuatorTorque, BushingDamping, BushingRotationalDamping,
-    BushingRotationalStiffness, BushingStiffness, CoordinateDamping, CoordinateLength,
-    CoordinateRotationalDamping, CoordinateRotationalStiffness, CoordinateStiffness, DeactivationTime,
-    LigamentDamping, LigamentForce, LigamentLength, LimitDamping, LimitLength, LimitRotationalDamping,
-    LimitRotationalStiffness, LimitStiffness, MaxContractionVelocity, MaxIsometricForce, OptimalFiberLength,
-    SpringDissipation, SpringLength, SpringStiffness, SpringTime, TendonSlackLength, TimeScale,
-};
+use self::SizedKind::*;
 
 /// A dimension: the powers of mass, length and time in a unit. N, which is kg m s^-2, is `1, 1, -2`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -21,13 +21,6 @@ pub struct SizedValue {
     pub value: f64,
 }
 
-impl SizedValue {
-    /// A number from another file than the model.
-    pub const fn new(kind: SizedKind, owner: String, part: (&'static str, usize), value: f64) -> Self {
-        Self { kind, owner, part, value }
-    }
-}
-
 /// Objects of one class whose numbers are not read.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct NotRead {
@@ -115,7 +108,7 @@ impl SizedValueReader<'_> {
             let Some(kind) = kind_of_property(property.kind, is_angle) else { continue };
             let found = numbers(document, element, property).into_iter().enumerate();
             for (place, value) in found.filter(|(_, value)| value.is_finite()) {
-                values.push(SizedValue::new(kind, owner.clone(), (property.tag, place), value));
+                values.push(SizedValue { kind, owner: owner.clone(), part: (property.tag, place), value });
             }
         }
     }
@@ -133,22 +126,20 @@ impl SizedValueReader<'_> {
 fn kind_of_property(rule: SizedKindRule, is_angle: Option<bool>) -> Option<SizedKind> {
     match rule {
         SizedKindRule::Always(kind) => Some(kind),
-        SizedKindRule::ByCoordinate(turning, shifting) => {
-            if is_angle? {
-                turning
-            } else {
-                Some(shifting)
-            }
-        }
+        SizedKindRule::ByCoordinate(turning, _) if is_angle? => turning,
+        SizedKindRule::ByCoordinate(_, shifting) => Some(shifting),
     }
 }
 
 fn inertia_value(model: &Model, body: ComponentId) -> Option<SizedValue> {
     let components = model.components();
     let value = crate::model::body_sizes::inertia_trace(components, body)?;
-    let owned = !components.is_ground(body) && value.is_finite();
-    owned.then(|| {
-        SizedValue::new(SizedKind::Inertia, components.name(body).into_owned(), ("inertia", 0), value)
+    let owner = components.name(body).into_owned();
+    (!components.is_ground(body) && value.is_finite()).then_some(SizedValue {
+        kind: SizedKind::Inertia,
+        owner,
+        part: ("inertia", 0),
+        value,
     })
 }
 
