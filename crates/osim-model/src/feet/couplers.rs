@@ -92,7 +92,7 @@ fn coordinate_values(model: &Model) -> CoordinateValues {
     let couplers = Couplers::of(model);
     let doubt = couplers.unknown.first().cloned();
     for dependent in apply_couplers(&mut values, &couplers.couplers) {
-                // Its joint says that it has no value.
+        // Its joint says that it has no value.
         values.remove(&dependent);
     }
     CoordinateValues { values, doubt }
