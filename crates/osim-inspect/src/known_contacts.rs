@@ -314,7 +314,7 @@ struct KnownContactsEntry {
     pub transition_velocity: f64,
     /// The published contacts of one limb; equal contacts are one entry.
     pub contacts: Vec<PublishedContact>,
-    severity: BTreeMap<String, TableSeverity>,
+    severity: BTreeMap<String, String>,
 }
 
 #[derive(Debug, Deserialize)]
@@ -330,14 +330,6 @@ struct PublishedContact {
     pub smoothing: Option<[f64; 3]>,
 }
 
-#[derive(Debug, Clone, Copy, Deserialize)]
-#[serde(rename_all = "lowercase")]
-enum TableSeverity {
-    Error,
-    Warning,
-    Remark,
-}
-
 impl KnownContactsEntry {
     /// The mass of the published body that carries the contacts, kg.
     fn body_kg(&self) -> f64 {
@@ -351,11 +343,8 @@ impl KnownContactsEntry {
 
     /// The severity that a finding has with these contacts, if it differs from the severity of its rule.
     fn severity(&self, code: FindingCode) -> Option<Severity> {
-        self.severity.get(code.as_str()).map(|level| match level {
-            TableSeverity::Error => Severity::Error,
-            TableSeverity::Warning => Severity::Warning,
-            TableSeverity::Remark => Severity::Remark,
-        })
+        let level = self.severity.get(code.as_str())?;
+        Severity::ALL.iter().copied().find(|severity| severity.as_str() == level)
     }
 }
 
@@ -422,6 +411,8 @@ mod tests {
         for entry in &entries {
             assert!(!entry.source.is_empty() && entry.made_for_kg > 0.0 && entry.spheres() > 0);
             assert!(entry.severity.keys().all(|code| codes.contains(&code.as_str())), "{}", entry.name);
+            let levels: Vec<&str> = Severity::ALL.iter().map(|severity| severity.as_str()).collect();
+            assert!(entry.severity.values().all(|level| levels.contains(&level.as_str())), "{}", entry.name);
         }
     }
 

@@ -11,55 +11,56 @@ use crate::findings::FindingWithRemedy;
 /// Version of the JSON schemas. It is raised when a field of any result changes its meaning or is removed.
 pub const SCHEMA_VERSION: u32 = 1;
 
-/// A finding in JSON.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
-pub struct FindingRecord {
-    /// The finding's code, a short name that does not change.
-    pub code: &'static str,
-    /// Severity of the finding: `error`, `warning` or `remark`.
-    pub severity: &'static str,
-    /// Message of the finding, in words.
-    pub message: String,
-    /// Why the finding matters, the same for every case.
-    pub why: String,
-    /// Advice about the finding, the same for every case.
-    pub advice: String,
-    /// Component path of the force or sphere that the finding is about; of several the worst.
-    pub place: Option<String>,
-    /// Component paths of all elements that the finding is about, `place` first, as far as they are known.
-    pub places: Vec<String>,
-    /// Names of all spheres that the finding is about.
-    pub spheres: Vec<String>,
-    /// Line in the model's file, from 1.
-    pub line: Option<usize>,
-    /// Column in its line, in letters, from 1.
-    pub column: Option<usize>,
-    /// A sentence for each element that the finding is about, if there is more to say than its name.
-    pub details: Vec<String>,
-    /// The call that corrects the fault, if `check` can propose one.
-    pub command: Option<String>,
-    /// Of the result of a change: the model before it, or the reference, has this finding, too.
-    pub had_before: bool,
-}
-
-impl From<&Finding> for FindingRecord {
-    fn from(finding: &Finding) -> Self {
-        Self {
-            code: finding.code().as_str(),
-            severity: finding.severity.as_str(),
-            message: finding.message.to_string(),
-            why: finding.why.to_string(),
-            advice: finding.advice.to_string(),
-            place: finding.place.clone(),
-            places: finding.paths().cloned().collect(),
-            spheres: finding.spheres.clone(),
-            line: finding.position.map(|at| at.line),
-            column: finding.position.map(|at| at.column),
-            details: finding.details.clone(),
-            command: None,
-            had_before: finding.had_before,
+/// Records of JSON, each made from one value: after the type of a field is the expression that gives it.
+macro_rules! json_records {
+    ($($(#[$about:meta])* pub struct $name:ident from($source:tt: $from:ty) {
+        $($(#[$about_field:meta])* pub $field:ident: $type:ty = $value:expr,)*
+    })*) => {$(
+        $(#[$about])*
+        #[derive(Debug, Clone, PartialEq, serde::Serialize)]
+        #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
+        pub struct $name {
+            $($(#[$about_field])* pub $field: $type,)*
         }
+
+        impl From<$from> for $name {
+            fn from($source: $from) -> Self {
+                Self { $($field: $value,)* }
+            }
+        }
+    )*};
+}
+pub(crate) use json_records;
+
+json_records! {
+    /// A finding in JSON.
+    pub struct FindingRecord from(finding: &Finding) {
+        /// The finding's code, a short name that does not change.
+        pub code: &'static str = finding.code().as_str(),
+        /// Severity of the finding: `error`, `warning` or `remark`.
+        pub severity: &'static str = finding.severity.as_str(),
+        /// Message of the finding, in words.
+        pub message: String = finding.message.to_string(),
+        /// Why the finding matters, the same for every case.
+        pub why: String = finding.why.to_string(),
+        /// Advice about the finding, the same for every case.
+        pub advice: String = finding.advice.to_string(),
+        /// Component path of the force or sphere that the finding is about; of several the worst.
+        pub place: Option<String> = finding.place.clone(),
+        /// Component paths of all elements that the finding is about, `place` first, as far as they are known.
+        pub places: Vec<String> = finding.paths().cloned().collect(),
+        /// Names of all spheres that the finding is about.
+        pub spheres: Vec<String> = finding.spheres.clone(),
+        /// Line in the model's file, from 1.
+        pub line: Option<usize> = finding.position.map(|at| at.line),
+        /// Column in its line, in letters, from 1.
+        pub column: Option<usize> = finding.position.map(|at| at.column),
+        /// A sentence for each element that the finding is about, if there is more to say than its name.
+        pub details: Vec<String> = finding.details.clone(),
+        /// The call that corrects the fault, if `check` can propose one.
+        pub command: Option<String> = None,
+        /// Of the result of a change: the model before it, or the reference, has this finding, too.
+        pub had_before: bool = finding.had_before,
     }
 }
 

@@ -271,7 +271,7 @@ pub(crate) fn property_factor(
 pub(crate) struct GravityChange {
     /// γ = g_b/g_a; 1 without a target.
     pub(crate) ratio: f64,
-    words: Option<String>,
+    pub(crate) words: String,
 }
 
 impl GravityChange {
@@ -280,7 +280,7 @@ impl GravityChange {
     /// # Errors
     /// `target` is not above 0, or `target` is given and `now` is not known.
     pub(crate) fn new(now: Option<f64>, target: Option<f64>, now_for: GravityFor) -> Result<Self, Fault> {
-        let Some(target) = target else { return Ok(Self { ratio: 1.0, words: None }) };
+        let Some(target) = target else { return Ok(Self { ratio: 1.0, words: String::new() }) };
         if !(target.is_finite() && target > 0.0) {
             return Err(Fault::new(FaultKind::BadInput {
                 input: Input::TargetGravity,
@@ -296,15 +296,10 @@ impl GravityChange {
                     readable(target),
                     readable(target / now)
                 );
-                Ok(Self { ratio: target / now, words: Some(words) })
+                Ok(Self { ratio: target / now, words })
             }
             _ => Err(Fault::new(MissingFact::Gravity { purpose: now_for })),
         }
-    }
-
-    /// The two gravities, for the end of a sentence; empty without a target.
-    pub(crate) fn in_words(self) -> String {
-        self.words.unwrap_or_default()
     }
 }
 

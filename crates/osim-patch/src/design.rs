@@ -14,7 +14,7 @@ use osim_model::{
 use crate::builder::{NewNumber, PlanBuilder, change_composite, scale_with_radius};
 use crate::change::{ChangedBy, property_factor};
 use crate::note::KeptMass;
-use crate::plan::{Masses, NoteFacts, Plan, PlanContents};
+use crate::plan::{Masses, NoteFacts, Plan};
 use crate::radii::{Radii, SphereRadiusRule};
 use crate::rules::{self, REMARK_PLACES_STAY, remark_on_equilibrium, remark_on_moved_bottoms};
 
@@ -143,7 +143,7 @@ pub fn design(model: &Model, selected: &Selected, wanted: &Design) -> Result<Pla
     let made = wanted.mass_for_note(model, wanted.is_complete(smooth) && selected.complete);
     Ok(Plan::new(
         model,
-        PlanContents { changes, moves, masses, taken: wanted.describe(), findings, remarks },
+        Plan { changes, moves, masses, taken: wanted.describe(), findings, remarks, ..Plan::default() },
         &NoteFacts {
             followed: None,
             target_mass_kg: made.kg,

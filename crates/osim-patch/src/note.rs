@@ -4,7 +4,7 @@ use osim_model::messages::{Input, phrase, readable};
 use osim_model::{Fault, Mass, MassSource, Model, Note, Scope, Step, positive_mass};
 
 use crate::objects::{EarlierNote, RebuiltModel};
-use crate::plan::{Masses, NoteFacts, Plan, PlanContents};
+use crate::plan::{Masses, NoteFacts, Plan};
 use crate::{note_edits, rules};
 
 /// Plans a note that the contacts of `model` were made for `contacts_mass_kg` at `gravity_m_s2`, without a change of numbers. The
@@ -43,7 +43,7 @@ pub fn note(
         followed: None,
     };
     let masses = Some(Masses::unchanged(contacts_mass));
-    let plan = Plan::new(model, PlanContents { masses, taken, ..PlanContents::default() }, &facts);
+    let plan = Plan::new(model, Plan { masses, taken, ..Plan::default() }, &facts);
     let same = format!("the note in the file says {} kg already", readable(kg));
     Ok(with_new_note(plan, model, stance_limbs, same))
 }
@@ -64,7 +64,7 @@ pub fn note_stance_limbs(model: &Model, stance_limbs: f64) -> Plan {
         "{}: the note in the file says so; no number changes",
         note_edits::limbs_in_words(stance_limbs)
     );
-    let plan = Plan::new(model, PlanContents { taken: taken.into(), ..PlanContents::default() }, &facts);
+    let plan = Plan::new(model, Plan { taken: taken.into(), ..Plan::default() }, &facts);
     let same = format!("the note in the file says {} already", note_edits::limbs_in_words(stance_limbs));
     with_new_note(plan, model, Some(stance_limbs), same)
 }

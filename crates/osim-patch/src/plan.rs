@@ -58,7 +58,7 @@ pub struct Plan {
     pub errors: Option<RecordingErrors>,
     /// How far the floor of each recording is above that of the unchanged model, m; empty if no height was fitted.
     pub floor_up_m: Vec<f64>,
-    note: Option<Note>,
+    pub(crate) note: Option<Note>,
     /// Whether the note is written even if no number changes, so that the output differs from the original file.
     pub requires_note: bool,
     /// The model with objects added or removed, if there are any. Numbers then change in this model.
@@ -111,17 +111,6 @@ pub(crate) struct NoteFacts<'o> {
     /// Spheres that move with their bodies, also if their location does not change; `None` if spheres do not move with
     /// bodies.
     pub(crate) followed: Option<&'o BTreeSet<SphereId>>,
-}
-
-/// The parts of a plan that differ between the verbs.
-#[derive(Default)]
-pub(crate) struct PlanContents {
-    pub(crate) changes: Vec<NumberChange>,
-    pub(crate) moves: Vec<PlaceChange>,
-    pub(crate) masses: Option<Masses>,
-    pub(crate) taken: Phrase,
-    pub(crate) findings: Vec<Finding>,
-    pub(crate) remarks: Vec<Phrase>,
 }
 
 /// A mass rounded to 15 digits, because a sum of bodies may be 20.000000000000018 kg.
@@ -201,13 +190,12 @@ impl Plan {
         numbers && self.objects().is_empty() && !(self.requires_note && self.note.is_some())
     }
 
-    pub(crate) fn new(model: &Model, contents: PlanContents, facts: &NoteFacts<'_>) -> Self {
-        let PlanContents { changes, moves, masses, taken, findings, remarks } = contents;
-        let changed: BTreeMap<ValueKey, f64> = changes.iter().map(NumberChange::key_and_value).collect();
+    pub(crate) fn new(model: &Model, plan: Self, facts: &NoteFacts<'_>) -> Self {
+        let changed: BTreeMap<ValueKey, f64> = plan.changes.iter().map(NumberChange::key_and_value).collect();
         let moved: HashMap<&str, [f64; 3]> =
-            moves.iter().map(|place| (place.path.as_str(), place.to)).collect();
+            plan.moves.iter().map(|place| (place.path.as_str(), place.to)).collect();
         let is_other = |masses: &&Masses| !is_at_target(masses.contacts_mass.kg, masses.target_mass_kg);
-        let from_mass_kg = masses.as_ref().filter(is_other).map(|masses| masses.contacts_mass.kg);
+        let from_mass_kg = plan.masses.as_ref().filter(is_other).map(|masses| masses.contacts_mass.kg);
         let step = Step { from_mass_kg, ..Step::new(facts.operation) };
         let note = Some(Note {
             version: env!("CARGO_PKG_VERSION").to_owned(),
@@ -229,7 +217,7 @@ impl Plan {
             added_to_file: note_edits::made_letters(model, facts.followed),
             added_forces: model.note.as_ref().map(|note| note.added_forces.clone()).unwrap_or_default(),
         });
-        Self { changes, moves, masses, taken, findings, remarks, note, ..Self::default() }
+        Self { note, ..plan }
     }
 
     /// Attaches a plan for the new model in `rebuilt` to the original model.

@@ -10,7 +10,7 @@ use osim_model::{
 
 use crate::builder::{NewNumber, PlanBuilder};
 use crate::change::{GravityChange, property_factor};
-use crate::plan::{Masses, NoteFacts, Plan, PlanContents};
+use crate::plan::{Masses, NoteFacts, Plan};
 use crate::radii::{Radii, SphereRadiusRule};
 use crate::rules::{self, REMARK_GRAVITY_STAYS, warn_forces};
 
@@ -233,13 +233,13 @@ fn plan_with_note_and_remarks(
     if !nothing {
         let ratio = readable(target_mass_kg / contacts_mass.kg);
         taken.push(format!("; scaled to {} kg (mass x{ratio})", readable(target_mass_kg)));
-        taken.push(gravity.in_words());
+        taken.push(gravity.words);
     }
     let all = selected.complete && wanted.properties.is_complete();
     let masses = Some(Masses { contacts_mass, target_mass_kg });
     Plan::new(
         model,
-        PlanContents { changes, moves, masses, taken, findings, remarks },
+        Plan { changes, moves, masses, taken, findings, remarks, ..Plan::default() },
         &NoteFacts {
             followed: radii.filter(|_| wanted.bodies.is_some()).map(Radii::spheres).as_ref(),
             target_mass_kg: Some(wanted.target_mass_kg),

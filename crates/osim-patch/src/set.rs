@@ -10,7 +10,7 @@ use osim_model::{
 use crate::builder::{NewNumber, PlanBuilder};
 use crate::change::{ChangedBy, PlaceChange};
 use crate::note::KeptMass;
-use crate::plan::{Masses, NoteFacts, Plan, PlanContents};
+use crate::plan::{Masses, NoteFacts, Plan};
 use crate::radii::ForcesOutsideChange;
 use crate::rules::{self, REMARK_LEVEL_FEET};
 
@@ -165,7 +165,7 @@ pub fn set(model: &Model, selected: &Selected, wanted: &Set) -> Result<Plan, Fau
     let kept = KeptMass::of(model, wanted.contacts_mass.as_ref());
     Ok(Plan::new(
         model,
-        PlanContents { changes, moves, masses, taken, findings, remarks },
+        Plan { changes, moves, masses, taken, findings, remarks, ..Plan::default() },
         &NoteFacts {
             followed: None,
             target_mass_kg: wanted.made_for_kg.or(kept.kg),

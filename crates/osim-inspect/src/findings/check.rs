@@ -127,7 +127,7 @@ fn collect_findings(
     findings.extend(place_findings);
     findings.extend(other_findings.iter().cloned().map(FindingWithRemedy::from));
     if has_finding(FindingCode::UnknownName) {
-        findings.retain(|finding| !EFFECTS_OF_MISSPELLING.contains(&finding.code()));
+        findings.retain(|finding| !is_effect_of_misspelling(finding.code()));
     }
     for remedy in findings.iter_mut().filter_map(|finding| finding.remedy.as_mut()) {
         confirm_suspicions(remedy, model, &options.masses);
@@ -137,24 +137,15 @@ fn collect_findings(
 
 /// Findings that only show the defaults that OpenSim takes where the name of a property is misspelt. Other causes of these are found once
 /// the name is right.
-const EFFECTS_OF_MISSPELLING: [FindingCode; 16] = [
-    FindingCode::ConnecteeByName,
-    FindingCode::SocketNowhere,
-    FindingCode::OutOfDomain,
-    FindingCode::FloorUpright,
-    FindingCode::FloorUpsideDown,
-    FindingCode::FloorSlopes,
-    FindingCode::DefaultStiffness,
-    FindingCode::NoSurfacesMeet,
-    FindingCode::DynamicAboveStatic,
-    FindingCode::LeftRightDiffer,
-    FindingCode::LeftRightClose,
-    FindingCode::LeftRightPlaces,
-    FindingCode::LeftRightMissing,
-    FindingCode::OneSideOnly,
-    FindingCode::DoubledSpheres,
-    FindingCode::CrowdedSpheres,
-];
+fn is_effect_of_misspelling(code: FindingCode) -> bool {
+    use FindingCode::*;
+    match code {
+        ConnecteeByName | SocketNowhere | OutOfDomain | FloorUpright | FloorUpsideDown | FloorSlopes
+        | DefaultStiffness | NoSurfacesMeet | DynamicAboveStatic | LeftRightDiffer | LeftRightClose
+        | LeftRightPlaces | LeftRightMissing | OneSideOnly | DoubledSpheres | CrowdedSpheres => true,
+        _ => false,
+    }
+}
 
 /// Whether the contacts are made for another mass than the mass of the bodies. The bones then show nothing about the right radii.
 fn are_bodies_of_another_mass(model: &Model, inspected: &Inspection, options: &InspectOptions) -> bool {

@@ -4,15 +4,15 @@ use contact_scaling::{
     DimensionlessContact, SURFACE_OVER_COMPOSITE_MODULUS, Scale, ScaleValues, mixed_radii,
 };
 use foldhash::{HashMap, HashMapExt, HashSet};
-use osim_model::compare::{BodyFactors, Factors};
+use osim_model::compare::Factors;
 use osim_model::feet::Standing;
 use osim_model::files::FileName;
 use osim_model::{
-    Body, CountedSpheres, DVec3, Force, ForceId, Limb, Limbs, Mass, Model, Property, Selected, SetId,
-    SphereId, Value, loaded_round_spheres,
+    CountedSpheres, Force, ForceId, Limb, Limbs, Mass, Model, Property, Selected, SetId, SphereId, Value,
+    loaded_round_spheres,
 };
 
-use crate::inspection::inspected::{FactorsBySource, Origins, Parameters};
+use crate::inspection::inspected::{Origins, Parameters, names_of_spheres};
 use crate::inspection::standing::{RestsToCompute, StandingBody};
 use crate::real_feet::spheres_under_heels;
 use crate::rules::{contacts, model_findings};
@@ -81,7 +81,8 @@ impl InspectOptions {
         let contacts = contacts_of_sets(model, &selected, contacts_mass.as_ref(), count);
         let (name, model_bytes) = Into::<FileName>::into(name).into_parts();
         let limbs = &sharing.limbs;
-        let inspected_limbs = |limbs: &[Limb]| limbs.iter().map(|limb| inspected_limb(model, limb)).collect();
+        let inspected_limbs =
+            |limbs: &[Limb]| limbs.iter().map(|limb| InspectedLimb::from((model, limb))).collect();
         Inspection {
             schema_version: SCHEMA_VERSION,
             model: name,
@@ -100,8 +101,8 @@ impl InspectOptions {
             spheres: inspected_spheres(model, limbs),
             forces: inspected_forces(model, &selected, &contacts),
             findings,
-            bodies: model.bodies().iter().map(inspected_body).collect(),
-            body_factors: factors.map(|factors| factors.bodies.iter().map(inspected_factors).collect()),
+            bodies: model.bodies().iter().map(InspectedBody::from).collect(),
+            body_factors: factors.map(|factors| factors.bodies.iter().map(InspectedFactors::from).collect()),
             known_contacts,
             placement: None,
             similarity: None,
@@ -153,38 +154,12 @@ struct ContactOfSet {
     dimensionless: Option<DimensionlessContact>,
 }
 
-fn inspected_limb(model: &Model, limb: &Limb) -> InspectedLimb {
-    let (name, side) = (limb.name.clone(), limb.side.as_str());
-    InspectedLimb { name, side, spheres: names_of_spheres(model, &limb.spheres) }
-}
-
-fn inspected_body(body: &Body) -> InspectedBody {
-    InspectedBody { name: body.name.clone(), path: body.path.clone(), mass_kg: body.mass.number }
-}
-
-fn names_of_spheres(model: &Model, spheres: &[SphereId]) -> Vec<String> {
-    let spheres = spheres.iter().filter_map(|&id| model.sphere(id));
-    spheres.map(|sphere| sphere.name.clone()).collect()
-}
-
 fn inspected_spheres(model: &Model, limbs: &Limbs) -> Vec<InspectedSphere> {
     let known = limbs.if_known().unwrap_or_default().iter();
     let limbs: HashMap<SphereId, &str> =
         known.flat_map(|limb| limb.spheres.iter().map(|&sphere| (sphere, limb.name.as_str()))).collect();
-    let limb_of = |id: SphereId| limbs.get(&id).map(|&name| name.to_owned());
-    let inspected = model.spheres().iter().map(|sphere| InspectedSphere {
-        name: sphere.name.clone(),
-        path: sphere.path.clone(),
-        radius_m: if sphere.radii_m.is_none() { sphere.radius.number } else { f64::NAN },
-        radii_m: sphere.radii_m,
-        location_m: sphere.location_m,
-        frame: sphere.frame.clone(),
-        body: sphere.body.clone(),
-        position: sphere.position,
-        limb: limb_of(sphere.id),
-        lowest_point_m: model.lowest_point_m(sphere.id).map(DVec3::into),
-    });
-    inspected.collect()
+    let limb_of = |id| limbs.get(&id).copied();
+    model.spheres().iter().map(|sphere| InspectedSphere::from((model, sphere, limb_of(sphere.id)))).collect()
 }
 
 fn inspected_forces(model: &Model, selected: &Selected, contacts: &ContactsOfSets) -> Vec<InspectedForce> {
@@ -222,15 +197,4 @@ fn inspected_forces(model: &Model, selected: &Selected, contacts: &ContactsOfSet
 fn parameters_of_set<T>(force: &Force, set: SetId, part: impl Fn(&Value) -> T) -> Vec<(Property, T)> {
     let properties = Property::ALL.into_iter();
     properties.filter_map(|property| Some((property, part(force.value(set, property)?)))).collect()
-}
-
-fn inspected_factors(body: &BodyFactors) -> InspectedFactors {
-    InspectedFactors {
-        body: body.body.clone(),
-        factors: body.axes.map(|axis| axis.map(|axis| axis.factor)),
-        sources: body.axes.map(|axis| axis.map(|axis| axis.source.as_str())),
-        by_source: FactorsBySource(
-            body.sources.iter().map(|(source, values)| (source.as_str(), *values)).collect(),
-        ),
-    }
 }

@@ -5,14 +5,16 @@
 use std::collections::BTreeMap;
 
 use contact_scaling::DimensionlessContact;
-use osim_model::compare::SpherePlacements;
+use osim_model::compare::{BodyFactors, SpherePlacements};
 use osim_model::messages::{Dialect, Phrase, readable};
-use osim_model::{Finding, Mass, Property, TextPosition, ValueOrigin};
+use osim_model::{
+    Body, DVec3, Finding, Limb, Mass, Model, Property, Sphere, SphereId, TextPosition, ValueOrigin,
+};
 use serde::{Serialize, Serializer};
 
 #[cfg(feature = "schemas")]
 use crate::serialized::FindingRecord;
-use crate::serialized::{line_alone, optional_phrase, records};
+use crate::serialized::{json_records, line_alone, optional_phrase, records};
 use crate::{Figures, KnownContacts, NoteSummary, ReferenceContacts, SizeList, StandingBody};
 
 /// Everything that `inspect` shows of a model.
@@ -88,30 +90,25 @@ pub struct Inspection {
     pub why_no_standing: Option<String>,
 }
 
-/// The mass that the contacts are made for.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
-pub struct ContactsMass {
-    /// The mass in kg.
-    pub value: f64,
-    /// Source of the mass, as a word for scripts.
-    pub source: &'static str,
-    /// Source of the mass, for people.
-    #[serde(skip)]
-    pub description: Phrase,
-    /// Whether a note or the caller gives it. Otherwise it is what the model weighs.
-    #[serde(skip)]
-    pub recorded: bool,
+json_records! {
+    /// The mass that the contacts are made for.
+    pub struct ContactsMass from(mass: &Mass) {
+        /// The mass in kg.
+        pub value: f64 = mass.kg,
+        /// Source of the mass, as a word for scripts.
+        pub source: &'static str = mass.source.as_str(),
+        /// Source of the mass, for people.
+        #[serde(skip)]
+        pub description: Phrase = mass.source.describe(),
+        /// Whether a note or the caller gives it. Otherwise it is what the model weighs.
+        #[serde(skip)]
+        pub recorded: bool = mass.source.is_about_contacts(),
+    }
 }
 
 impl ContactsMass {
     pub fn new(mass: &Mass) -> Self {
-        Self {
-            value: mass.kg,
-            source: mass.source.as_str(),
-            description: mass.source.describe(),
-            recorded: mass.source.is_about_contacts(),
-        }
+        Self::from(mass)
     }
 
     /// The mass in words: `62 kg (note in the file)`, or `not recorded (the body weighs 20 kg)`.
@@ -125,47 +122,49 @@ impl ContactsMass {
     }
 }
 
-/// A limb that stands on the ground.
-#[derive(Debug, Clone, Serialize)]
-#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
-pub struct InspectedLimb {
-    /// First body below the place where left and right split.
-    pub name: String,
-    /// Side of the limb, `right` or `left`.
-    pub side: &'static str,
-    /// Names of the spheres of the limb.
-    pub spheres: Vec<String>,
+json_records! {
+    /// A limb that stands on the ground.
+    pub struct InspectedLimb from((model, limb): (&Model, &Limb)) {
+        /// First body below the place where left and right split.
+        pub name: String = limb.name.clone(),
+        /// Side of the limb, `right` or `left`.
+        pub side: &'static str = limb.side.as_str(),
+        /// Names of the spheres of the limb.
+        pub spheres: Vec<String> = names_of_spheres(model, &limb.spheres),
+    }
+
+    /// A contact sphere of an inspected model.
+    pub struct InspectedSphere from((model, sphere, limb): (&Model, &Sphere, Option<&str>)) {
+        /// Name of the sphere.
+        pub name: String = sphere.name.clone(),
+        /// Component path of the sphere.
+        pub path: String = sphere.path.clone(),
+        /// Radius of the sphere in m; NaN if the file has that, or for an ellipsoid, null in JSON.
+        #[cfg_attr(feature = "schemas", schemars(with = "Option<f64>"))]
+        pub radius_m: f64 = if sphere.radii_m.is_none() { sphere.radius.number } else { f64::NAN },
+        /// The three radii of an ellipsoid in m.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        pub radii_m: Option<[f64; 3]> = sphere.radii_m,
+        /// Centre of the sphere in the frame that carries it, m; NaN if the file has that, null in JSON.
+        #[cfg_attr(feature = "schemas", schemars(with = "[Option<f64>; 3]"))]
+        pub location_m: [f64; 3] = sphere.location_m,
+        /// Component path of the frame that carries the sphere.
+        pub frame: String = sphere.frame.clone(),
+        /// The body that the frame belongs to, if there is one.
+        pub body: Option<String> = sphere.body.clone(),
+        /// Line of the element, from 1.
+        #[serde(rename = "line", serialize_with = "line_alone")]
+        #[cfg_attr(feature = "schemas", schemars(rename = "line", with = "usize"))]
+        pub position: TextPosition = sphere.position,
+        /// Limb to which the sphere belongs.
+        pub limb: Option<String> = limb.map(str::to_owned),
+        /// Lowest point in the body's frame, m, with the body's axes as they are at the default pose.
+        pub lowest_point_m: Option<[f64; 3]> = model.lowest_point_m(sphere.id).map(DVec3::into),
+    }
 }
 
-/// A contact sphere of an inspected model.
-#[derive(Debug, Clone, Serialize)]
-#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
-pub struct InspectedSphere {
-    /// Name of the sphere.
-    pub name: String,
-    /// Component path of the sphere.
-    pub path: String,
-    /// Radius of the sphere in m; NaN if the file has that, or for an ellipsoid, null in JSON.
-    #[cfg_attr(feature = "schemas", schemars(with = "Option<f64>"))]
-    pub radius_m: f64,
-    /// The three radii of an ellipsoid in m.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub radii_m: Option<[f64; 3]>,
-    /// Centre of the sphere in the frame that carries it, m; NaN if the file has that, null in JSON.
-    #[cfg_attr(feature = "schemas", schemars(with = "[Option<f64>; 3]"))]
-    pub location_m: [f64; 3],
-    /// Component path of the frame that carries the sphere.
-    pub frame: String,
-    /// The body that the frame belongs to, if there is one.
-    pub body: Option<String>,
-    /// Line of the element, from 1.
-    #[serde(rename = "line", serialize_with = "line_alone")]
-    #[cfg_attr(feature = "schemas", schemars(rename = "line", with = "usize"))]
-    pub position: TextPosition,
-    /// Limb to which the sphere belongs.
-    pub limb: Option<String>,
-    /// Lowest point in the body's frame, m, with the body's axes as they are at the default pose.
-    pub lowest_point_m: Option<[f64; 3]>,
+pub(super) fn names_of_spheres(model: &Model, spheres: &[SphereId]) -> Vec<String> {
+    spheres.iter().filter_map(|&id| Some(model.sphere(id)?.name.clone())).collect()
 }
 
 /// A contact force of an inspected model, or one parameter set of it.
@@ -253,73 +252,62 @@ impl Serialize for Origins {
     }
 }
 
-/// A contact as dimensionless numbers, in which contacts of different sizes can be compared.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
-pub struct Dimensionless {
-    /// E* R² n / (M g).
-    pub modulus: f64,
-    /// x̂ of the sphere under its share of the body weight, by the Hertz law (11).
-    pub relative_indentation: f64,
-    /// Dimensionless dissipation α √(g R).
-    pub dissipation: f64,
-    /// √cf / R (C.2).
-    pub constant_indentation: Option<f64>,
-    /// Dimensionless Hertz smoothing bd R.
-    pub hertz_smoothing: Option<f64>,
-    /// Dimensionless Hunt–Crossley smoothing bv √(g R).
-    pub hunt_crossley_smoothing: Option<f64>,
+json_records! {
+    /// A contact as dimensionless numbers, in which contacts of different sizes can be compared.
+    pub struct Dimensionless from(contact: &DimensionlessContact) {
+        /// E* R² n / (M g).
+        pub modulus: f64 = contact.modulus(),
+        /// x̂ of the sphere under its share of the body weight, by the Hertz law (11).
+        pub relative_indentation: f64 = contact.relative_indentation(),
+        /// Dimensionless dissipation α √(g R).
+        pub dissipation: f64 = contact.dissipation(),
+        /// √cf / R (C.2).
+        pub constant_indentation: Option<f64> = contact.constant_indentation(),
+        /// Dimensionless Hertz smoothing bd R.
+        pub hertz_smoothing: Option<f64> = contact.hertz_smoothing(),
+        /// Dimensionless Hunt–Crossley smoothing bv √(g R).
+        pub hunt_crossley_smoothing: Option<f64> = contact.hunt_crossley_smoothing(),
+    }
+
+    /// A body of an inspected model.
+    pub struct InspectedBody from(body: &Body) {
+        /// Name of the body.
+        pub name: String = body.name.clone(),
+        /// Component path of the body.
+        pub path: String = body.path.clone(),
+        /// Mass of the body in kg; NaN if the file has that, null in JSON.
+        #[cfg_attr(feature = "schemas", schemars(with = "Option<f64>"))]
+        pub mass_kg: f64 = body.mass.number,
+    }
+
+    /// The factors by which a body was scaled.
+    pub struct InspectedFactors from(body: &BodyFactors) {
+        /// Name of the body.
+        pub body: String = body.body.clone(),
+        /// Along x, y and z; `None` if no source gives the factor.
+        pub factors: [Option<f64>; 3] = body.axes.map(|axis| axis.map(|axis| axis.factor)),
+        /// The source of each of these factors.
+        pub sources: [Option<&'static str>; 3] = body.axes.map(|axis| axis.map(|axis| axis.source.as_str())),
+        /// The factors that each source gives, by the source's name.
+        pub by_source: FactorsBySource =
+            FactorsBySource(body.sources.iter().map(|(name, factors)| (name.as_str(), *factors)).collect()),
+    }
 }
 
 impl Dimensionless {
     /// The dimensionless numbers of `contact`; `None` if one of them is larger than a double can hold.
     pub(super) fn of(contact: &DimensionlessContact) -> Option<Self> {
+        let numbers = Self::from(contact);
+        let required = [numbers.modulus, numbers.relative_indentation, numbers.dissipation].into_iter();
         let smoothing =
-            [contact.constant_indentation(), contact.hertz_smoothing(), contact.hunt_crossley_smoothing()];
-        let [constant_indentation, hertz_smoothing, hunt_crossley_smoothing] = smoothing;
-        let (modulus, relative_indentation) = (contact.modulus(), contact.relative_indentation());
-        let dissipation = contact.dissipation();
-        let required = [modulus, relative_indentation, dissipation].into_iter();
-        required.chain(smoothing.into_iter().flatten()).all(f64::is_finite).then_some(Self {
-            modulus,
-            relative_indentation,
-            dissipation,
-            constant_indentation,
-            hertz_smoothing,
-            hunt_crossley_smoothing,
-        })
+            [numbers.constant_indentation, numbers.hertz_smoothing, numbers.hunt_crossley_smoothing];
+        let is_finite = required.chain(smoothing.into_iter().flatten()).all(f64::is_finite);
+        is_finite.then_some(numbers)
     }
 }
 
-/// A body of an inspected model.
-#[derive(Debug, Clone, Serialize)]
-#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
-pub struct InspectedBody {
-    /// Name of the body.
-    pub name: String,
-    /// Component path of the body.
-    pub path: String,
-    /// Mass of the body in kg; NaN if the file has that, null in JSON.
-    #[cfg_attr(feature = "schemas", schemars(with = "Option<f64>"))]
-    pub mass_kg: f64,
-}
-
-/// The factors by which a body was scaled.
-#[derive(Debug, Clone, Serialize)]
-#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
-pub struct InspectedFactors {
-    /// Name of the body.
-    pub body: String,
-    /// Along x, y and z; `None` if no source gives the factor.
-    pub factors: [Option<f64>; 3],
-    /// The source of each of these factors.
-    pub sources: [Option<&'static str>; 3],
-    /// The factors that each source gives, by the source's name.
-    pub by_source: FactorsBySource,
-}
-
 /// Factors by the name of the source.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(transparent))]
 pub struct FactorsBySource(
     #[cfg_attr(feature = "schemas", schemars(with = "BTreeMap<String, [Option<f64>; 3]>"))]

@@ -1,8 +1,10 @@
 //! The note of a model, for the person who received the file: how the contacts were made, and what changed after that.
 
 use osim_model::messages::{readable, shown};
-use osim_model::{ChangedContacts, ChangedSinceNote, Model, Note, Scope, Source, Step};
+use osim_model::{ChangedContacts, ChangedSinceNote, Model, Note, Scope, Step};
 use serde::Serialize;
+
+use crate::serialized::json_records;
 
 /// Content of a model's note.
 #[derive(Debug, Clone, Serialize)]
@@ -23,22 +25,23 @@ pub struct NoteSummary {
     pub sentences: Vec<String>,
 }
 
-/// A change of the contacts that the note records.
-#[derive(Debug, Clone, Serialize)]
-#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
-pub struct NoteStep {
-    /// The verb with its values: `set stiffness=x2`; `others` if values were changed without a note.
-    pub operation: String,
-    /// Options that mattered, as `name=value`.
-    pub options: String,
-    /// Mass the contacts were made for before, kg.
-    pub from_mass_kg: Option<f64>,
-    /// Model or preset that the contacts were taken from.
-    pub reference: Option<String>,
-    /// The first 16 digits of the SHA-256 of the reference's file.
-    pub reference_digest: Option<String>,
-    /// The date of the change, as `2026-11-25`.
-    pub date: Option<String>,
+json_records! {
+    /// A change of the contacts that the note records.
+    pub struct NoteStep from(step: &Step) {
+        /// The verb with its values: `set stiffness=x2`; `others` if values were changed without a note.
+        pub operation: String = step.operation.clone(),
+        /// Options that mattered, as `name=value`.
+        pub options: String = step.options.clone(),
+        /// Mass the contacts were made for before, kg.
+        pub from_mass_kg: Option<f64> = step.from_mass_kg,
+        /// Model or preset that the contacts were taken from.
+        pub reference: Option<String> = step.reference.as_ref().map(|source| source.name.clone()),
+        /// The first 16 digits of the SHA-256 of the reference's file.
+        pub reference_digest: Option<String> =
+            step.reference.as_ref().and_then(|source| source.digest.clone()),
+        /// The date of the change, as `2026-11-25`.
+        pub date: Option<String> = step.date.clone(),
+    }
 }
 
 impl NoteSummary {
@@ -58,14 +61,6 @@ impl NoteSummary {
             changed_since,
             sentences,
         })
-    }
-}
-
-impl From<&Step> for NoteStep {
-    fn from(step: &Step) -> Self {
-        let Step { operation, options, from_mass_kg, reference, date } = step.clone();
-        let (name, digest) = reference.map(|Source { name, digest }| (name, digest)).unzip();
-        Self { operation, options, from_mass_kg, reference: name, reference_digest: digest.flatten(), date }
     }
 }
 

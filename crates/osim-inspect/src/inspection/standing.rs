@@ -6,8 +6,10 @@ use std::collections::BTreeMap;
 use foldhash::HashMap;
 use osim_model::feet::{RestOnFloor, RestingSphere, SphereOverFloor, Standing};
 use osim_model::messages::{four_significant, readable, shown};
-use osim_model::{Limb, Limbs, Model, SphereId};
+use osim_model::{Limb, Limbs, Model, Sphere, SphereId};
 use serde::Serialize;
+
+use crate::serialized::json_records;
 
 /// Bottoms whose heights differ by no more than this are equally low, m.
 const SAME_HEIGHT_M: f64 = 1e-9;
@@ -56,52 +58,51 @@ pub struct StandingBody {
     pub on_one_limb: Option<BodyAtRest>,
 }
 
-/// The lowest point of a sphere over its floor.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
-pub struct Bottom {
-    /// Name of the sphere.
-    pub sphere: String,
-    /// Component path of the coordinate.
-    pub path: String,
-    /// Height over the floor along the floor's normal, m; below 0 inside the floor.
-    pub height_m: f64,
-    /// Radius of the sphere, m.
-    pub radius_m: f64,
-    /// Angle between the floor's normal and the axis of the sphere's body that is nearest to it, rad: 0 if the body is upright.
-    pub tilt_rad: f64,
-}
+json_records! {
+    /// The lowest point of a sphere over its floor.
+    pub struct Bottom from((over, sphere): (&SphereOverFloor, &Sphere)) {
+        /// Name of the sphere.
+        pub sphere: String = sphere.name.clone(),
+        /// Component path of the coordinate.
+        pub path: String = sphere.path.clone(),
+        /// Height over the floor along the floor's normal, m; below 0 inside the floor.
+        pub height_m: f64 = over.gap_m,
+        /// Radius of the sphere, m.
+        pub radius_m: f64 = sphere.radius.number,
+        /// Angle between the floor's normal and the axis of the sphere's body that is nearest to it, rad: 0 if the body is upright.
+        pub tilt_rad: f64 = over.tilt_rad,
+    }
 
-/// A body at rest on spheres, by the contact laws of the file.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
-pub struct BodyAtRest {
-    /// The limb whose spheres alone carry the body; null if all limbs do.
-    pub limb: Option<String>,
-    /// The value of the coordinate at rest, m.
-    pub value_m: Option<f64>,
-    /// How far the body at rest is below its default pose, along the normal, m; below 0 if it is above.
-    pub down_m: f64,
-    /// Load of the spheres along the normal, N.
-    pub load_n: f64,
-    /// Whether each sphere is less deep than its radius; beyond that no contact law holds.
-    pub carried: bool,
-    /// The spheres that carry the body, in file order.
-    pub spheres: Vec<StandingSphere>,
-}
+    /// A body at rest on spheres, by the contact laws of the file.
+    pub struct BodyAtRest from((model, standing, rest, limb): (&Model, &Standing, &RestOnFloor, Option<&Limb>)) {
+        /// The limb whose spheres alone carry the body; null if all limbs do.
+        pub limb: Option<String> = limb.map(|limb| limb.name.clone()),
+        /// The value of the coordinate at rest, m.
+        pub value_m: Option<f64> = standing.coordinate_at(rest.down_m),
+        /// How far the body at rest is below its default pose, along the normal, m; below 0 if it is above.
+        pub down_m: f64 = rest.down_m,
+        /// Load of the spheres along the normal, N.
+        pub load_n: f64 = rest.load_n,
+        /// Whether each sphere is less deep than its radius; beyond that no contact law holds.
+        pub carried: bool = rest.is_carried(),
+        /// The spheres that carry the body, in file order.
+        pub spheres: Vec<StandingSphere> = {
+            let sphere = |one: &RestingSphere| Some((one, model.sphere(one.sphere)?).into());
+            rest.spheres.iter().filter_map(sphere).collect()
+        },
+    }
 
-/// A sphere of a body at rest.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
-pub struct StandingSphere {
-    /// Name of the sphere.
-    pub sphere: String,
-    /// Component path of the sphere.
-    pub path: String,
-    /// Depth of the sphere in the floor, in its radius; not above 0 if it does not touch.
-    pub relative_indentation: f64,
-    /// Load of the sphere along the normal, N.
-    pub force_n: f64,
+    /// A sphere of a body at rest.
+    pub struct StandingSphere from((at_rest, sphere): (&RestingSphere, &Sphere)) {
+        /// Name of the sphere.
+        pub sphere: String = sphere.name.clone(),
+        /// Component path of the sphere.
+        pub path: String = sphere.path.clone(),
+        /// Depth of the sphere in the floor, in its radius; not above 0 if it does not touch.
+        pub relative_indentation: f64 = at_rest.relative_indentation,
+        /// Load of the sphere along the normal, N.
+        pub force_n: f64 = at_rest.force_n,
+    }
 }
 
 impl StandingSphere {
@@ -160,7 +161,7 @@ impl StandingBody {
         let spheres: Vec<SphereId> = standing.spheres.iter().map(|over| over.sphere).collect();
         let rest = |chosen: &[SphereId], share, limb: Option<&Limb>| {
             let rest = standing.rest_on_floor(chosen, share)?.ok()?;
-            Some(body_at_rest(model, standing, &rest, limb)).filter(BodyAtRest::is_finite)
+            Some(BodyAtRest::from((model, standing, &rest, limb))).filter(BodyAtRest::is_finite)
         };
         let lift = standing.lift.as_ref();
         let bottoms = bottoms_of_spheres(model, standing);
@@ -218,11 +219,7 @@ fn may_be_off_floor(bottoms: &[Bottom]) -> bool {
 }
 
 fn bottoms_of_spheres(model: &Model, standing: &Standing) -> Vec<Bottom> {
-    let bottom = |over: &SphereOverFloor| {
-        let sphere = model.sphere(over.sphere)?;
-        let (height_m, radius_m, tilt_rad) = (over.gap_m, sphere.radius.number, over.tilt_rad);
-        Some(Bottom { sphere: sphere.name.clone(), path: sphere.path.clone(), height_m, radius_m, tilt_rad })
-    };
+    let bottom = |over: &SphereOverFloor| Some((over, model.sphere(over.sphere)?).into());
     standing.spheres.iter().filter_map(bottom).collect()
 }
 
@@ -235,26 +232,6 @@ fn lowest_limb(standing: &Standing, limb_of: &HashMap<SphereId, usize>) -> Optio
         *height_m = height_m.min(over.gap_m);
     }
     lowest.into_iter().reduce(|a, b| if b.1 < a.1 - SAME_HEIGHT_M { b } else { a }).map(|(limb, _)| limb)
-}
-
-fn body_at_rest(model: &Model, standing: &Standing, rest: &RestOnFloor, limb: Option<&Limb>) -> BodyAtRest {
-    let sphere = |one: &RestingSphere| {
-        let sphere = model.sphere(one.sphere)?;
-        Some(StandingSphere {
-            sphere: sphere.name.clone(),
-            path: sphere.path.clone(),
-            relative_indentation: one.relative_indentation,
-            force_n: one.force_n,
-        })
-    };
-    BodyAtRest {
-        limb: limb.map(|limb| limb.name.clone()),
-        value_m: standing.coordinate_at(rest.down_m),
-        down_m: rest.down_m,
-        load_n: rest.load_n,
-        carried: rest.is_carried(),
-        spheres: rest.spheres.iter().filter_map(sphere).collect(),
-    }
 }
 
 // A body over its floor in words, for `check`, `inspect` and changes.

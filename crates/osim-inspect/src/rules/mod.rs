@@ -45,74 +45,48 @@ enum DependsOn {
 }
 use DependsOn::{Numbers, Rest};
 
+/// Makes a table of rules: each line has a module, rules of it, and the function that applies them together.
+macro_rules! rule_table {
+    ($($module:ident [$($rule:ident),*] => $find:expr;)*) => { &[$((&[$(&$module::$rule),*], $find)),*] };
+}
+
 /// Rules about the model itself, in the order in which reports list their findings.
-static MODEL_RULES: RuleTable<ModelRule> = &[
-    (
-        &[&components::CONNECTEE_BY_NAME, &components::SOCKET_NOWHERE, &components::MISNAMED_PARAMETER_SET],
-        (Rest, components::find_irregularities),
-    ),
-    (
-        &[
-            &unread::BODY_WITHOUT_JOINT,
-            &unread::VERSION_AGAINST_FORM,
-            &unread::MISPLACED_OBJECT,
-            &unread::IGNORED_CONTACTS,
-            &unread::UNKNOWN_NAME,
-        ],
-        (Rest, unread::find_unread),
-    ),
-    (
-        &[&misread::ODD_NUMBER, &misread::NOT_FINITE, &misread::OUT_OF_DOMAIN],
-        (Numbers, misread::apply_value_rules),
-    ),
+static MODEL_RULES: RuleTable<ModelRule> = rule_table! {
+    components [CONNECTEE_BY_NAME, SOCKET_NOWHERE, MISNAMED_PARAMETER_SET]
+        => (Rest, components::find_irregularities);
+    unread [BODY_WITHOUT_JOINT, VERSION_AGAINST_FORM, MISPLACED_OBJECT, IGNORED_CONTACTS, UNKNOWN_NAME]
+        => (Rest, unread::find_unread);
+    misread [ODD_NUMBER, NOT_FINITE, OUT_OF_DOMAIN] => (Numbers, misread::apply_value_rules);
     // The texts of other numbers, by the same rules.
-    (&[], (Rest, misread::find_misread_texts)),
-    (&[&numbers::ANGLE_IN_DEGREES], (Rest, numbers::find_angle_in_degrees)),
-    (&[&numbers::MASSLESS_BODY], (Rest, numbers::find_massless_body)),
-    (&[&numbers::DEFAULT_OUTSIDE_RANGE], (Rest, numbers::find_default_outside_range)),
-    (
-        &[&skeleton::ODD_PARENT, &skeleton::LEFT_RIGHT_BONES],
-        (Rest, skeleton::find_wrong_side_or_unlike_limbs),
-    ),
-    (&[&skeleton::FOOT_SPHERE_ON_GROUND], (Rest, skeleton::find_foot_sphere_on_ground)),
-    (&[&skeleton::ROOT_HELD], (Rest, skeleton::find_root_held)),
-    (&[&components::INCLUDED_FILE], (Rest, components::find_included_file)),
-    (&[&forces::DEAD_DERIVATIVE_SMOOTHING], (Numbers, forces::find_dead_derivative_smoothing)),
-    (&[&forces::SEVERAL_SPHERES_ONE_FORCE], (Rest, forces::find_several_spheres_one_force)),
-    (&[&forces::SPHERE_IN_TWO_FORCES], (Rest, forces::find_sphere_in_two_forces)),
-    (
-        &[
-            &forces::SURFACE_NAMED_TWICE,
-            &forces::NO_SURFACES_MEET,
-            &forces::SPHERE_OF_OTHER_SIDE,
-            &forces::SHAPE_PRESSES_NOTHING,
-        ],
-        (Rest, forces::apply_surface_rules),
-    ),
-    (&[&forces::ELLIPSOID], (Numbers, forces::find_ellipsoid)),
-    (&[&numbers::DEFAULT_STIFFNESS], (Numbers, numbers::find_default_stiffness)),
-    (&[&numbers::ZERO_CONSTANT_CONTACT_FORCE], (Numbers, numbers::find_zero_constant_contact_force)),
+    misread [] => (Rest, misread::find_misread_texts);
+    numbers [ANGLE_IN_DEGREES] => (Rest, numbers::find_angle_in_degrees);
+    numbers [MASSLESS_BODY] => (Rest, numbers::find_massless_body);
+    numbers [DEFAULT_OUTSIDE_RANGE] => (Rest, numbers::find_default_outside_range);
+    skeleton [ODD_PARENT, LEFT_RIGHT_BONES] => (Rest, skeleton::find_wrong_side_or_unlike_limbs);
+    skeleton [FOOT_SPHERE_ON_GROUND] => (Rest, skeleton::find_foot_sphere_on_ground);
+    skeleton [ROOT_HELD] => (Rest, skeleton::find_root_held);
+    components [INCLUDED_FILE] => (Rest, components::find_included_file);
+    forces [DEAD_DERIVATIVE_SMOOTHING] => (Numbers, forces::find_dead_derivative_smoothing);
+    forces [SEVERAL_SPHERES_ONE_FORCE] => (Rest, forces::find_several_spheres_one_force);
+    forces [SPHERE_IN_TWO_FORCES] => (Rest, forces::find_sphere_in_two_forces);
+    forces [SURFACE_NAMED_TWICE, NO_SURFACES_MEET, SPHERE_OF_OTHER_SIDE, SHAPE_PRESSES_NOTHING]
+        => (Rest, forces::apply_surface_rules);
+    forces [ELLIPSOID] => (Numbers, forces::find_ellipsoid);
+    numbers [DEFAULT_STIFFNESS] => (Numbers, numbers::find_default_stiffness);
+    numbers [ZERO_CONSTANT_CONTACT_FORCE] => (Numbers, numbers::find_zero_constant_contact_force);
     // This line also applies `SIDE_RULES`.
-    (&[&sides::LEFT_RIGHT_DIFFER, &sides::LEFT_RIGHT_CLOSE], (Numbers, apply_side_rules)),
-    (
-        &[&friction::LARGE_FRICTION, &friction::DYNAMIC_ABOVE_STATIC, &friction::ODD_TRANSITION_VELOCITY],
-        (Numbers, friction::find_odd_friction),
-    ),
-    (
-        &[&friction::NO_FRICTION, &friction::NO_DISSIPATION],
-        (Numbers, friction::find_no_friction_or_dissipation),
-    ),
-    (&[&components::CONTACT_DEFAULTS], (Rest, components::find_contact_defaults)),
-    (&[&forces::MOCO_DIALECT], (Numbers, forces::find_moco_dialect)),
-    (&[&forces::TERRAIN], (Numbers, forces::find_terrain)),
-    (&[&components::UNKNOWN_CLASS], (Rest, components::find_unknown_class)),
-    (
-        &[&components::NOT_HERTZ, &components::DUPLICATE_NAMES, &components::REFUSED_NAME],
-        (Rest, components::apply_component_rules),
-    ),
-    (&[&components::LOOP_OF_JOINTS], (Rest, components::find_loop_of_joints)),
-    (&[&components::MIXED_PAIR], (Numbers, components::find_mixed_pair)),
-];
+    sides [LEFT_RIGHT_DIFFER, LEFT_RIGHT_CLOSE] => (Numbers, apply_side_rules);
+    friction [LARGE_FRICTION, DYNAMIC_ABOVE_STATIC, ODD_TRANSITION_VELOCITY]
+        => (Numbers, friction::find_odd_friction);
+    friction [NO_FRICTION, NO_DISSIPATION] => (Numbers, friction::find_no_friction_or_dissipation);
+    components [CONTACT_DEFAULTS] => (Rest, components::find_contact_defaults);
+    forces [MOCO_DIALECT] => (Numbers, forces::find_moco_dialect);
+    forces [TERRAIN] => (Numbers, forces::find_terrain);
+    components [UNKNOWN_CLASS] => (Rest, components::find_unknown_class);
+    components [NOT_HERTZ, DUPLICATE_NAMES, REFUSED_NAME] => (Rest, components::apply_component_rules);
+    components [LOOP_OF_JOINTS] => (Rest, components::find_loop_of_joints);
+    components [MIXED_PAIR] => (Numbers, components::find_mixed_pair);
+};
 
 /// Rules about the two sides of the body, and about places and sizes of spheres.
 static SIDE_RULES: RuleTable<fn(&BothSides<'_>) -> Option<Finding>> = &[
@@ -153,29 +127,18 @@ static FIGURE_RULES: RuleTable<fn(&FigureCheck<'_>) -> Option<FindingWithRemedy>
 ];
 
 /// Rules that no table applies, because they depend on more than the model, such as the options of the caller.
-static OTHER_RULES: [&Rule; 16] = [
-    &contacts::BARE_MODEL,
-    &contacts::CONTACTS_OF_ANOTHER_MASS,
-    &contacts::COUNT_UNKNOWN,
-    &contacts::KNOWN_CONTACTS,
-    &contacts::MASS_UNKNOWN,
-    &contacts::STALE_NOTE,
-    &contacts::UNMATCHED_PATTERN,
-    &floors::GRAVITY_NOT_DOWN,
-    &floors::GRAVITY_SOURCES_DISAGREE,
-    &floors::GRAVITY_TOO_LARGE,
-    &floors::NO_GRAVITY,
-    &floors::ODD_GRAVITY,
-    &places::SPHERES_LEFT_BEHIND,
-    &places::SPHERES_MISPLACED,
-    &places::SPHERES_NOT_COMPARED,
-    &standing::NOT_ON_FLOOR,
-];
+static OTHER_RULES: RuleTable<()> = rule_table! {
+    contacts [BARE_MODEL, CONTACTS_OF_ANOTHER_MASS, COUNT_UNKNOWN, KNOWN_CONTACTS, MASS_UNKNOWN] => ();
+    contacts [STALE_NOTE, UNMATCHED_PATTERN] => ();
+    floors [GRAVITY_NOT_DOWN, GRAVITY_SOURCES_DISAGREE, GRAVITY_TOO_LARGE, NO_GRAVITY, ODD_GRAVITY] => ();
+    places [SPHERES_LEFT_BEHIND, SPHERES_MISPLACED, SPHERES_NOT_COMPARED] => ();
+    standing [NOT_ON_FLOOR] => ();
+};
 
 /// The rules of this crate.
 pub fn rules() -> impl Iterator<Item = &'static Rule> {
     let of_tables = rules_in(MODEL_RULES).chain(rules_in(SIDE_RULES)).chain(rules_in(FLOOR_RULES));
-    of_tables.chain(rules_in(FIGURE_RULES)).chain(OTHER_RULES)
+    of_tables.chain(rules_in(FIGURE_RULES)).chain(rules_in(OTHER_RULES))
 }
 
 fn rules_in<F>(table: RuleTable<F>) -> impl Iterator<Item = &'static Rule> {

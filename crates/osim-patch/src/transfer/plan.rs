@@ -11,7 +11,7 @@ use osim_model::{
 use crate::builder::{PlanBuilder, change_composite, scale_with_radius};
 use crate::change::{ChangedBy, GravityChange, predsim_factor, property_factor};
 use crate::objects::keeps_sphere_inside;
-use crate::plan::{Masses, NoteFacts, Plan, PlanContents, TRANSFER_OPERATION};
+use crate::plan::{Masses, NoteFacts, Plan, TRANSFER_OPERATION};
 use crate::radii::{Radii, SphereRadiusRule};
 use crate::rules::{self, REMARK_GRAVITY_STAYS, REMARK_PLACES_STAY, warn_forces};
 use crate::transfer::contact_choice::{self, ContactChoice, ReferenceRadii};
@@ -198,14 +198,14 @@ fn plan_with_note_and_remarks(
         &wanted.target_mass.source.describe(), count(wanted.sphere_count).to_string()
     ];
     if wanted.rule == ScalingRule::Paper {
-        taken.push(gravity.in_words());
+        taken.push(gravity.words);
     }
     let masses =
         Some(Masses { contacts_mass: reference.mass.clone(), target_mass_kg: wanted.target_mass.kg });
     let all = complete && wanted.properties.is_complete();
     Plan::new(
         model,
-        PlanContents { changes, moves, masses, taken, findings, remarks },
+        Plan { changes, moves, masses, taken, findings, remarks, ..Plan::default() },
         &NoteFacts {
             followed: wanted.follow.as_ref().map(|_| radii.spheres()).as_ref(),
             target_mass_kg: Some(wanted.target_mass.kg),
