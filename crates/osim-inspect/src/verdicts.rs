@@ -172,24 +172,24 @@ fn judge_topic(on: VerdictTopic, inspected: &InspectedModel<'_>, findings: &[Fin
         let origin = (on == VerdictTopic::Mass).then(|| describe_origin(inspected, worst.code())).flatten();
         return Verdict::from_findings(on, worst, others).with_addition(origin);
     }
-    if findings.iter().any(|found| found.code() == FindingCode::BareModel) {
-        return Verdict::without_findings(on, Err("there are no contacts".into()));
-    }
-    if inspected.model.forces().is_empty() && !inspected.model.carriers_of_other_classes().is_empty() {
-        return Verdict::without_findings(on, Err("contacts of this class are not judged".into()));
-    }
-    let follows_weight = matches!(on, VerdictTopic::Standing | VerdictTopic::Mass | VerdictTopic::Solver);
-    if follows_weight && has_gravity_of_another_unit(inspected, findings) {
-        return Verdict::without_findings(on, Err("gravity is in another unit".into()));
-    }
     let has_finding = |code| findings.iter().any(|found| found.code() == code);
-    if on == VerdictTopic::Sides && has_finding(FindingCode::OddNumber) {
-        return Verdict::without_findings(on, Err("OpenSim reads another number than is written".into()));
-    }
+    let (model, inspection) = (inspected.model, inspected.inspection);
+    let is_of_other_class = model.forces().is_empty() && !model.carriers_of_other_classes().is_empty();
+    let is_in_other_unit = has_finding(FindingCode::GravityTooLarge)
+        && inspection.figures.gravity_m_s2 == inspection.gravity_m_s2;
+    let follows_weight = matches!(on, VerdictTopic::Standing | VerdictTopic::Mass | VerdictTopic::Solver);
     let is_on_contacts =
         matches!(on, VerdictTopic::Mass | VerdictTopic::Sides | VerdictTopic::Sizes | VerdictTopic::Solver);
-    if is_on_contacts && has_finding(FindingCode::UnknownName) {
-        return Verdict::without_findings(on, Err("OpenSim does not know a name in the file".into()));
+    let is_on_sides = on == VerdictTopic::Sides;
+    let reasons = [
+        (has_finding(FindingCode::BareModel), "there are no contacts"),
+        (is_of_other_class, "contacts of this class are not judged"),
+        (follows_weight && is_in_other_unit, "gravity is in another unit"),
+        (is_on_sides && has_finding(FindingCode::OddNumber), "OpenSim reads another number than is written"),
+        (is_on_contacts && has_finding(FindingCode::UnknownName), "OpenSim does not know a name in the file"),
+    ];
+    if let Some((_, why)) = reasons.into_iter().find(|(applies, _)| *applies) {
+        return Verdict::without_findings(on, Err(why.into()));
     }
     let right = match on {
         VerdictTopic::Floor => describe_floor(inspected),
@@ -201,12 +201,6 @@ fn judge_topic(on: VerdictTopic, inspected: &InspectedModel<'_>, findings: &[Fin
         VerdictTopic::Recording => Err("no recording is given".into()),
     };
     Verdict::without_findings(on, right)
-}
-
-/// Whether figures are not judged, because gravity in the file is in another unit and the caller gives no other gravity.
-fn has_gravity_of_another_unit(inspected: &InspectedModel<'_>, findings: &[FindingWithRemedy]) -> bool {
-    findings.iter().any(|found| found.code() == FindingCode::GravityTooLarge)
-        && inspected.inspection.figures.gravity_m_s2 == inspected.inspection.gravity_m_s2
 }
 
 /// Describes the plane that most spheres press on: its tilt and the body that carries it.

@@ -290,13 +290,9 @@ impl GravityChange {
         }
         match now {
             Some(now) if now.is_finite() && now > 0.0 => {
-                let words = format!(
-                    "; gravity {} -> {} m/s2 (x{})",
-                    readable(now),
-                    readable(target),
-                    readable(target / now)
-                );
-                Ok(Self { ratio: target / now, words })
+                let ratio = target / now;
+                let [from, to, factor] = [now, target, ratio].map(readable);
+                Ok(Self { ratio, words: format!("; gravity {from} -> {to} m/s2 (x{factor})") })
             }
             _ => Err(Fault::new(MissingFact::Gravity { purpose: now_for })),
         }
@@ -309,12 +305,11 @@ pub(crate) fn predsim_factor(
     ratios: &Ratios,
     height_ratio: f64,
 ) -> Option<(f64, ChangedBy)> {
-    Some(match property {
-        Property::Stiffness => (ratios.mass() / (height_ratio * height_ratio), ChangedBy::PredSim),
-        Property::Dissipation => (1.0 / height_ratio, ChangedBy::PredSim),
-        Property::ConstantContactForce | Property::HertzSmoothing | Property::HuntCrossleySmoothing => {
-            (1.0, ChangedBy::PredSim)
-        }
+    let factor = match property {
+        Property::Stiffness => ratios.mass() / (height_ratio * height_ratio),
+        Property::Dissipation => 1.0 / height_ratio,
+        Property::ConstantContactForce | Property::HertzSmoothing | Property::HuntCrossleySmoothing => 1.0,
         _ => return None,
-    })
+    };
+    Some((factor, ChangedBy::PredSim))
 }

@@ -46,7 +46,7 @@ impl Figures {
             mass_kg: mass.kg,
             gravity_m_s2: gravity * weight_share_at_pose(model, &sharing.forces, &pose),
         });
-        let mut why: Option<Phrase> = match (mass, gravity) {
+        let mut why_no_body_weight: Option<Phrase> = match (mass, gravity) {
             (None, _) => Some("the mass of the model is not known".into()),
             (_, None) => Some(MissingFact::Gravity { purpose: GravityFor::Figures }.phrase()),
             _ => None,
@@ -54,50 +54,34 @@ impl Figures {
         let mut limbs = Vec::new();
         let standing = standing_by_sphere(standing);
         let mut all_by_limb = all.as_ref().map(|all| split_by_limb(&sharing.limbs, all));
-        for (place, group) in chosen_by_limb(&sharing.limbs, &loads, stance.spheres, stance.limb_count(model))
+        for (place, limb, chosen) in
+            chosen_by_limb(&sharing.limbs, &loads, stance.spheres, stance.limb_count(model))
         {
-            if group.count.is_none() && why.is_none() {
-                why = why_no_count(&sharing.limbs);
+            if limb.sphere_count.is_none() && why_no_body_weight.is_none() {
+                why_no_body_weight = why_no_count(&sharing.limbs);
             }
-            let limb = LoadedLimb {
+            let loaded = LoadedLimb {
                 model,
-                chosen: &group.spheres,
+                chosen: &chosen,
                 all: all_by_limb.as_mut().and_then(|all| all.get_mut(place)).map(std::mem::take),
-                count: group.count,
+                count: limb.sphere_count,
                 standing: &standing,
                 weight,
                 speed,
             };
-            limbs.push(LimbFigures {
-                limb: group.name,
-                side: group.side,
-                sphere_count: group.count,
-                spheres: limb.sphere_figures(),
-            });
+            limbs.push(LimbFigures { spheres: loaded.sphere_figures(), ..limb });
         }
-        if limbs.is_empty() && why.is_none() {
+        if limbs.is_empty() && why_no_body_weight.is_none() {
             // The forces belong to several bodies, and the caller chose none of these.
             let ellipsoids =
                 model.loaded_spheres(&selected.forces).into_iter().filter_map(|id| model.sphere(id));
             let why_none = ellipsoids.filter_map(|sphere| sphere.round_radius_m().err()).next();
-            why = why_none.map(|fault| fault.phrase()).or(sharing.limbs.why_unknown().cloned());
+            why_no_body_weight =
+                why_none.map(|fault| fault.phrase()).or(sharing.limbs.why_unknown().cloned());
         }
-        Ok(Self {
-            mass_kg: mass.map(|mass| mass.kg),
-            gravity_m_s2: gravity,
-            impact_speed_m_s: speed,
-            why_no_body_weight: why,
-            limbs,
-        })
+        let (mass_kg, gravity_m_s2, impact_speed_m_s) = (mass.map(|mass| mass.kg), gravity, speed);
+        Ok(Self { mass_kg, gravity_m_s2, impact_speed_m_s, why_no_body_weight, limbs })
     }
-}
-
-/// The chosen spheres of one limb, and the number n of spheres that share the weight.
-struct ChosenOnLimb<'p> {
-    name: Option<String>,
-    side: Option<&'static str>,
-    count: Option<f64>,
-    spheres: Vec<&'p SphereContacts>,
 }
 
 /// The spheres of each limb among `all`, in the order of `all`. If the limbs are not known, one list with all spheres.
@@ -123,14 +107,14 @@ fn default_impact_speed(loads: &[SphereContacts], gravity: Option<f64>) -> Optio
     restitution::drop_speed(gravity?, radius).ok()
 }
 
-/// The chosen spheres of each limb that has chosen spheres, with the index of the limb; all chosen spheres together if the limbs are not
-/// known.
+/// The chosen spheres of each limb that has chosen spheres, with the index of the limb, and a record of the limb that has no figures yet;
+/// all chosen spheres together if the limbs are not known.
 fn chosen_by_limb<'p>(
     limbs: &Limbs,
     loads: &'p [SphereContacts],
     spheres: Option<f64>,
     stance_limbs: f64,
-) -> Vec<(usize, ChosenOnLimb<'p>)> {
+) -> Vec<(usize, LimbFigures, Vec<&'p SphereContacts>)> {
     let at_least_one = |count: &f64| *count >= 1.0;
     let on_limbs = split_by_limb(limbs, loads).into_iter().enumerate();
     let group = |(place, on_limb): (usize, Vec<&'p SphereContacts>)| {
@@ -139,13 +123,13 @@ fn chosen_by_limb<'p>(
             None => spheres,
             Some(limb) => Some(LoadSharing::count_on_limb(limb, spheres, stance_limbs)),
         };
-        let group = ChosenOnLimb {
-            name: limb.map(|limb| limb.name.clone()),
+        let figures = LimbFigures {
+            limb: limb.map(|limb| limb.name.clone()),
             side: limb.map(|limb| limb.side.as_str()),
-            count: count.filter(at_least_one),
-            spheres: on_limb,
+            sphere_count: count.filter(at_least_one),
+            spheres: Vec::new(),
         };
-        (place, group)
+        (place, figures, on_limb)
     };
     on_limbs.filter(|(_, on_limb)| !on_limb.is_empty()).map(group).collect()
 }

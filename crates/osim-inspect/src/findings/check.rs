@@ -71,8 +71,7 @@ fn collect_findings(
     };
     let chosen = options.selection.apply(model).map(|selected| selected.forces).unwrap_or_default();
     let one_modulus = model.remarks_on(&chosen).iter().any(shares_a_modulus);
-    let mut remedies = Remedies::new(inspected, one_modulus, changeable.numbers, options)
-        .with_radius_changes(!changeable.numbers || changeable.radii);
+    let mut remedies = Remedies::new(inspected, one_modulus, changeable, options);
     // A command that makes contacts right for what is wrong elsewhere would hide the fault.
     let has_finding = |code| model_findings(model).iter().any(|finding| finding.code() == code);
     let has_loose_body = has_finding(FindingCode::BodyWithoutJoint);

@@ -12,7 +12,7 @@ use osim_requests::{
     Request, SetRequest, TransferRequest,
 };
 
-use crate::{Figure, InspectOptions, Inspection, SphereFigures};
+use crate::{ChangeableValues, Figure, InspectOptions, Inspection, SphereFigures};
 
 /// The preset whose contacts are proposed if the contacts of the model make no sense.
 const PRESET_OF_REMEDIES: &str = "falisse2022";
@@ -47,7 +47,7 @@ impl<'m> Remedies<'m> {
     pub(crate) fn new(
         inspected: &Inspection,
         one_modulus: bool,
-        can_change: bool,
+        changeable: ChangeableValues,
         options: &'m InspectOptions,
     ) -> Self {
         let (figures, stance) = (&inspected.figures, &options.stance);
@@ -66,25 +66,12 @@ impl<'m> Remedies<'m> {
             gravity: gravity.and_then(|gravity| Acceleration::new(gravity).ok()),
         };
         let name = || FileName::from_parts(inspected.model.clone(), inspected.model_bytes.clone()).to_path();
-        let model = (inspected.model != "-" && can_change).then(name);
+        let model = (inspected.model != "-" && changeable.numbers).then(name);
         let is_counted = inspected.spheres_per_limb.is_some() || stance.spheres.is_some();
         let is_weight_known = inspected.figures.mass_kg.is_some();
         let body_kg = inspected.mass_kg;
-        Self {
-            model,
-            load,
-            options,
-            one_modulus,
-            is_counted,
-            is_weight_known,
-            body_kg,
-            radii_may_change: true,
-        }
-    }
-
-    /// With or without remedies that change radii.
-    pub(crate) fn with_radius_changes(self, may_change: bool) -> Self {
-        Self { radii_may_change: may_change, ..self }
+        let radii_may_change = !changeable.numbers || changeable.radii;
+        Self { model, load, options, one_modulus, is_counted, is_weight_known, body_kg, radii_may_change }
     }
 
     /// Turns off all remedies, because another fault has to be corrected first, after which these remedies would be wrong.
@@ -109,14 +96,8 @@ impl<'m> Remedies<'m> {
 
     /// A remedy that designs parameters which do not depend on the load.
     pub(crate) fn design(&self, wanted: WantedOptions) -> Option<DesignRequest> {
-        let (choice, set_files) = (self.choice(), self.set_files());
-        Some(DesignRequest {
-            models: self.models(false)?,
-            wanted,
-            choice,
-            set_files,
-            ..DesignRequest::default()
-        })
+        let (models, choice, set_files) = (self.models(false)?, self.choice(), self.set_files());
+        Some(DesignRequest { models, wanted, choice, set_files, ..DesignRequest::default() })
     }
 
     pub(crate) fn set(&self, assignments: Vec<(Property, Assignment)>) -> Option<SetRequest> {

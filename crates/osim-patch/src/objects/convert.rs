@@ -72,18 +72,13 @@ pub fn convert(model: &Model, selected: &Selected, wanted: &Convert) -> Result<C
     let document = model.document();
     let tree = document.tree();
     let (mut names, list) = (TakenNames::of(model), NamesInList::of(model));
-    let mut made = Converted {
-        rebuilt: RebuiltModel::new(model_with_edits(model, Vec::new())?, Vec::new(), String::new()),
-        findings: Vec::new(),
-        renamed: Vec::new(),
-        without_sphere: Vec::new(),
-        dropped: Vec::new(),
-    };
+    let (mut findings, mut renamed) = (Vec::new(), Vec::new());
+    let (mut without_sphere, mut dropped) = (Vec::new(), Vec::new());
     let (mut edits, mut objects, mut inside) = (Vec::new(), Vec::new(), SurfacesInsideForces::default());
     for force in selected.forces.iter().filter_map(|&id| model.force(id)) {
         refuse_included(model, force)?;
         if moving_spheres(model, &[force.id]).is_empty() && has_half_space(force) {
-            made.without_sphere.push(force.path.clone());
+            without_sphere.push(force.path.clone());
             continue;
         }
         let pairs = checked_pairs(model, force, wanted.to)?;
@@ -91,41 +86,37 @@ pub fn convert(model: &Model, selected: &Selected, wanted: &Convert) -> Result<C
         if force.kind == wanted.to && is_one && !keeps_sphere_inside(model, force) {
             continue;
         }
-        let dropped = dropped_content(tree, force.element());
-        if !dropped.is_empty() {
-            made.dropped.push((force.path.clone(), dropped.join(", ")));
+        let content = dropped_content(tree, force.element());
+        if !content.is_empty() {
+            dropped.push((force.path.clone(), content.join(", ")));
         }
         if let Some(pair) = pairs.iter().find(|pair| pair.is_composite) {
-            made.findings.push(composite_finding(model, force, pair, wanted)?);
+            findings.push(composite_finding(model, force, pair, wanted)?);
         }
         let (edit, new) = divide_force(model, force, &pairs, wanted, (&mut names, &list, &mut inside))?;
         edits.push(edit);
         let own: Vec<String> = new.iter().map(|object| object.name.clone()).collect();
         if own != [force.name.clone()] {
-            made.renamed.push((force.name.clone(), own));
+            renamed.push((force.name.clone(), own));
         }
         let removed = [force.name.as_str(), &force.path];
         objects.push(ObjectChange::new(ObjectAction::Removed, force.kind.as_str(), removed, None));
         objects.extend(new);
     }
-    edits.extend(renamed_members(tree, document.data_root(), &made.renamed));
+    edits.extend(renamed_members(tree, document.data_root(), &renamed));
     if !inside.geometry.is_empty() {
         let root = document.data_root();
         edits.extend(GEOMETRY_SET.add(tree, root, &inside.geometry, &mut String::new()));
         objects.splice(0..0, inside.objects);
     }
-    made.rebuilt = RebuiltModel::new(model_with_edits(model, edits)?, objects, String::new());
-    Ok(made)
+    let rebuilt = RebuiltModel::new(model_with_edits(model, edits)?, objects, String::new());
+    Ok(Converted { rebuilt, findings, renamed, without_sphere, dropped })
 }
 
 fn refuse_included(model: &Model, force: &Force) -> Result<(), Fault> {
-    match model.included_file(force.file) {
-        Some(file) => {
-            let (path, file) = (force.path.clone(), file.to_owned());
-            Err(Fault::new(FaultKind::IncludedFile { path, file }).at_element(force.path.clone()))
-        }
-        None => Ok(()),
-    }
+    let Some(file) = model.included_file(force.file) else { return Ok(()) };
+    let (path, file) = (force.path.clone(), file.to_owned());
+    Err(Fault::new(FaultKind::IncludedFile { path, file }).at_element(force.path.clone()))
 }
 
 fn has_half_space(force: &Force) -> bool {

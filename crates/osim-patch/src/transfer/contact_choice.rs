@@ -48,11 +48,6 @@ impl<'t> ReferenceRadii<'t> {
         let one = radii.all(|&radius| Some(radius) == first).then_some(first);
         Self { by_name, one }
     }
-
-    /// Whether all spheres have the radius `radius_m`.
-    fn all_equal(&self, radius_m: f64) -> bool {
-        self.one.is_some_and(|one| one.is_none_or(|one| one == radius_m))
-    }
 }
 
 impl<'t> ContactChoice<'t> {
@@ -115,7 +110,7 @@ impl<'t> ContactChoice<'t> {
         }
         let named = reference.by_name.get(sphere_name(model, sphere)).copied();
         let first = self.contact_for_sphere(model, sphere).radius_m;
-        named.or(reference.all_equal(first).then_some(first))
+        named.or_else(|| reference.one?.is_none_or(|one| one == first).then_some(first))
     }
 
     /// Refuses isometric radii unless each sphere has a sphere of the same name in the reference, or all spheres of the
@@ -266,18 +261,14 @@ fn composite_ratio(
         if common.is_some_and(|other| (other - ratio).abs() > EQUAL_FACTORS_TOLERANCE * other)
             || !ratio.is_finite()
         {
-            return Err(fault_of_unequal_material_changes(force, property));
+            let text = format!(
+                "the materials of {} were changed since the reference, each in its own way: one factor of {property} \
+                 cannot serve all; give each sphere a force of its own",
+                force.path
+            );
+            return Err(Fault::refused(text).at_element(force.path.clone()));
         }
         common.get_or_insert(ratio);
     }
     Ok(common.unwrap_or(1.0))
-}
-
-fn fault_of_unequal_material_changes(force: &Force, property: Property) -> Fault {
-    Fault::refused(format!(
-        "the materials of {} were changed since the reference, each in its own way: one factor of {property} cannot \
-         serve all; give each sphere a force of its own",
-        force.path
-    ))
-    .at_element(force.path.clone())
 }
