@@ -132,7 +132,7 @@ impl MeasuredForces {
                     may_be_on.iter().for_each(|&foot| add_to_frame(&mut self.feet[foot], frame, None));
                 }
                 (Some(_), _) => {
-                    may_be_on.iter().for_each(|&foot| add_to_frame(&mut self.feet[foot], frame, wrench))
+                    may_be_on.iter().for_each(|&foot| add_to_frame(&mut self.feet[foot], frame, wrench));
                 }
             }
         }

@@ -236,7 +236,7 @@ fn add_moduli(
 ) -> Result<(), RequestFault> {
     match from.equation() {
         Some(equation) => {
-            sheet.add_with_equation(equation, DesignQuantity::CompositeModulus, composite, false)
+            sheet.add_with_equation(equation, DesignQuantity::CompositeModulus, composite, false);
         }
         None => sheet.add_at_rest(smoothed, DesignQuantity::CompositeModulus, composite, false),
     }

@@ -150,15 +150,15 @@ impl Finding {
                 None => groups.push(vec![finding]),
             }
         }
-        groups.into_iter().filter_map(Self::join_cases).collect()
+        groups.iter().filter_map(|cases| Self::join_cases(cases)).collect()
     }
 
-    fn join_cases(cases: Vec<Self>) -> Option<Self> {
+    fn join_cases(cases: &[Self]) -> Option<Self> {
         let mut joined = cases.first()?.clone();
         if cases.len() > 1 {
             joined.places = cases.iter().flat_map(Self::paths).cloned().collect();
             joined.message.push(format!(" (and {} more)", cases.len() - 1));
-            joined.details = cases.iter().flat_map(|case| case.sentences()).collect();
+            joined.details = cases.iter().flat_map(Self::sentences).collect();
         }
         Some(joined)
     }

@@ -179,7 +179,7 @@ fn body_factors(inspected: &Inspection, layout: Layout) -> String {
 const MOST_SPHERES_NAMED: usize = 6;
 
 /// Sentences about a body: its height at the default pose, and the equilibria on all its feet and on one limb.
-pub fn sentences_on_body(body: &StandingBody, extent: Extent) -> Vec<String> {
+pub(crate) fn sentences_on_body(body: &StandingBody, extent: Extent) -> Vec<String> {
     let Some((lowest, place)) = body.lowest().zip(body.height_in_words()) else {
         return vec!["the height of its spheres over a floor is not known".to_owned()];
     };
@@ -284,7 +284,7 @@ pub fn has_default(force: &InspectedForce) -> bool {
 }
 
 /// The number of forces of each class, and the names of the forces.
-pub fn counted_and_named_forces(members: &[&InspectedForce], extent: Extent) -> String {
+pub(crate) fn counted_and_named_forces(members: &[&InspectedForce], extent: Extent) -> String {
     const MOST_NOTE_STEPS: usize = 6;
     let Some(first) = members.first() else { return String::new() };
     let name = |force: &&InspectedForce| match force.set {
