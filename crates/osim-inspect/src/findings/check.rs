@@ -12,7 +12,7 @@ use osim_requests::options::{AnswerOptions, ForceOptions, MassOptions};
 use osim_requests::{Kilograms, Request, RescaleRequest};
 
 use crate::findings::check_result::{CheckResult, sort_findings};
-use crate::findings::remedy::Remedies;
+use crate::findings::remedy::{ChangeableValues, Remedies};
 use crate::floors::Floors;
 use crate::rules::places::SpherePlaces;
 use crate::rules::sides::{self, KnownSide};
@@ -22,20 +22,6 @@ use crate::rules::{
 use crate::{
     BothSides, FindingWithRemedy, InspectOptions, Inspection, KnownContacts, MassMismatch, unexplained_mass,
 };
-
-/// Which values of a model can be changed, as trial plans show. A remedy that would be refused is not proposed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct ChangeableValues {
-    /// Whether stiffness, dissipation and the other numbers of the contacts can be changed.
-    pub numbers: bool,
-    /// Whether radii can be changed. They cannot if a force that the change leaves alone uses the same sphere.
-    pub radii: bool,
-}
-
-impl ChangeableValues {
-    /// Assumes, without a trial plan, that everything can be changed.
-    pub const ASSUME_ALL: Self = Self { numbers: true, radii: true };
-}
 
 /// Checks a model that was inspected. `other_findings` are findings about other files, such as a recording.
 pub fn check_model(

@@ -5,9 +5,10 @@ mod check_result;
 mod finding;
 mod remedy;
 
-pub use check::{ChangeableValues, check_model, check_without_remedies};
+pub use check::{check_model, check_without_remedies};
 pub use check_result::{CheckResult, Counts};
 pub use finding::{FindingIndex, FindingWithRemedy};
+pub use remedy::ChangeableValues;
 pub(crate) use remedy::{
     Remedies, constant_indentation_for_touching, exact_pattern, rounded_mass, transition_width_for,
 };

@@ -12,7 +12,21 @@ use osim_requests::{
     Request, SetRequest, TransferRequest,
 };
 
-use crate::{ChangeableValues, Figure, InspectOptions, Inspection, SphereFigures};
+use crate::{Figure, InspectOptions, Inspection, SphereFigures};
+
+/// Which values of a model can be changed, as trial plans show. A remedy that would be refused is not proposed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct ChangeableValues {
+    /// Whether stiffness, dissipation and the other numbers of the contacts can be changed.
+    pub numbers: bool,
+    /// Whether radii can be changed. They cannot if a force that the change leaves alone uses the same sphere.
+    pub radii: bool,
+}
+
+impl ChangeableValues {
+    /// Assumes, without a trial plan, that everything can be changed.
+    pub const ASSUME_ALL: Self = Self { numbers: true, radii: true };
+}
 
 /// The preset whose contacts are proposed if the contacts of the model make no sense.
 const PRESET_OF_REMEDIES: &str = "falisse2022";

@@ -3,8 +3,32 @@
 use std::borrow::Cow;
 use std::fmt;
 
-use super::named;
 use super::printable::shown_whole;
+
+/// Declares enums whose variants have a fixed name each, for JSON, tables and messages: `as_str` gives it, and `ALL` all variants.
+#[macro_export]
+macro_rules! named {
+    ($($(#[$about:meta])* $visibility:vis enum $name:ident {
+        $($(#[$of_variant:meta])* $variant:ident = $text:literal),+ $(,)?
+    })+) => {$(
+        $(#[$about])*
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+        $visibility enum $name {
+            $($(#[$of_variant])* $variant),+
+        }
+
+        impl $name {
+            /// All variants, in the order of their declaration.
+            #[allow(dead_code, reason = "not every enum is listed")]
+            $visibility const ALL: &'static [Self] = &[$(Self::$variant),+];
+
+            /// The fixed name, for JSON, tables and messages.
+            $visibility const fn as_str(self) -> &'static str {
+                match self { $(Self::$variant => $text),+ }
+            }
+        }
+    )+};
+}
 
 macro_rules! inputs {
     ($($variant:ident = $name:literal, $label:literal;)+) => {

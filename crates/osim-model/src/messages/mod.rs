@@ -24,28 +24,3 @@ pub use input::{Call, Example, Input, PhrasePart, Verb};
 pub use numbers::{counted, four_significant, readable, shortest, three_significant};
 pub use phrase::{Dialect, FieldNames, IntoParts, PartInText, PartsInText, Phrase};
 pub use printable::{Shown, is_visible, listed, one_line, shown, shown_path, shown_whole, terminal_safe};
-
-/// Declares enums whose variants have a fixed name each, for JSON, tables and messages: `as_str` gives it, and `ALL` all variants.
-#[macro_export]
-macro_rules! named {
-    ($($(#[$about:meta])* $visibility:vis enum $name:ident {
-        $($(#[$of_variant:meta])* $variant:ident = $text:literal),+ $(,)?
-    })+) => {$(
-        $(#[$about])*
-        #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-        $visibility enum $name {
-            $($(#[$of_variant])* $variant),+
-        }
-
-        impl $name {
-            /// All variants, in the order of their declaration.
-            #[allow(dead_code, reason = "not every enum is listed")]
-            $visibility const ALL: &'static [Self] = &[$(Self::$variant),+];
-
-            /// The fixed name, for JSON, tables and messages.
-            $visibility const fn as_str(self) -> &'static str {
-                match self { $(Self::$variant => $text),+ }
-            }
-        }
-    )+};
-}

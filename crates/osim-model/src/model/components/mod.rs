@@ -1,16 +1,17 @@
-//! The files that form one model, read as one tree of components; the components to which sockets refer; and the component
-//! classes that OpenSim knows.
+//! The files that form one model, read as one tree of components; and the components to which sockets refer.
 //!
 //! Usually a model is one file. A model whose sets are in other files (`file="…"`), or a `ForceSet` given with its `ContactGeometrySet` and
 //! its model, has several files, which are read as one tree.
 
+mod classes;
 mod tree;
 
 use std::borrow::Cow;
-use std::sync::LazyLock;
 
+use crate::model::components::classes::CountedSets;
 use crate::model::{Document, Fault, FaultKind, FileId};
 use crate::xml::{ElementId, TextPosition};
+pub use classes::component_classes;
 pub use tree::{Component, ComponentId, ComponentTree};
 
 /// A file that belongs to a model in addition to its main file, for [`Model::read_with`](crate::model::Model::read_with).
@@ -292,7 +293,7 @@ impl Components {
         tree.walk(self.document(file).data_root(), |id| {
             let is_meant = found.is_none()
                 && tree.attribute(id, "name").is_some_and(|own| own == name)
-                && (self.at(file, id).is_none() || !is_component_class(tree.name(id)));
+                && (self.at(file, id).is_none() || !classes::is_component_class(tree.name(id)));
             found = found.or(is_meant.then_some(id));
             found.is_none()
         });
@@ -317,63 +318,4 @@ fn component_above(main: &Document, components: &ComponentTree, element: Element
         at = tree.parent(id);
     }
     None
-}
-
-/// The subclasses of `Component` in the Python package of OpenSim 4.6, in alphabetical order.
-pub fn component_classes() -> &'static [&'static str] {
-    static CLASSES: LazyLock<Vec<&str>> =
-        LazyLock::new(|| include_str!("component_classes.txt").lines().collect());
-    &CLASSES
-}
-
-fn is_component_class(tag: &str) -> bool {
-    component_classes().binary_search(&tag).is_ok()
-}
-
-/// Which sets of a model file (`ForceSet`, `ContactGeometrySet`, `BodySet`, …) are read. A set that is given as a separate file replaces the model's own set.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum CountedSets {
-    All,
-    /// Only the contact geometry: the file is given for its spheres, and another model has masses and joints.
-    Geometry,
-    /// Everything except forces: the separate set has the forces.
-    AllButForces,
-    /// Everything except forces and contact geometry: other files have these.
-    Bodies,
-}
-
-impl CountedSets {
-    /// The sets that are read from file number `index` of the `count` files given with a separate set. The geometry comes first, then the
-    /// model.
-    fn of_file_beside_set(index: usize, count: usize) -> Self {
-        match (index, count) {
-            (0, 1) => Self::AllButForces,
-            (0, _) => Self::Geometry,
-            _ => Self::Bodies,
-        }
-    }
-
-    /// Whether `set` is read from the file.
-    fn includes(self, set: &str) -> bool {
-        match self {
-            Self::All => true,
-            Self::Geometry => set == "ContactGeometrySet",
-            Self::AllButForces => set != "ForceSet",
-            Self::Bodies => !["ForceSet", "ContactGeometrySet"].contains(&set),
-        }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn classes_of_opensim_are_known_and_others_are_not() {
-        assert!(
-            is_component_class("SmoothSphereHalfSpaceForce")
-                && is_component_class("Body")
-                && !is_component_class("MyContacts")
-        );
-    }
 }

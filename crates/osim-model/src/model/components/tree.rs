@@ -10,7 +10,7 @@ use std::sync::{Arc, OnceLock};
 
 use foldhash::{HashMap, HashMapExt, HashSet, HashSetExt};
 
-use crate::model::components::{CountedSets, is_component_class};
+use crate::model::components::classes::{self, CountedSets};
 use crate::model::{Document, FileId};
 use crate::xml::ElementId;
 
@@ -114,7 +114,7 @@ impl ComponentTree {
             } else {
                 match above {
                     ElementRole::Nothing => ElementRole::Nothing,
-                    ElementRole::Components(_) if !is_component_class(tag) => {
+                    ElementRole::Components(_) if !classes::is_component_class(tag) => {
                         self.skipped.push((file, id));
                         ElementRole::Nothing
                     }
