@@ -29,8 +29,7 @@ pub(crate) fn run(shell: Shell, session: &mut Session) -> Result<Exit> {
     match shell {
         Shell::Bash => script = with_files(&with_one_name(&String::from_utf8(script)?, &name)).into_bytes(),
         Shell::Fish => script = with_missing_completions(&String::from_utf8(script)?, &command).into_bytes(),
-        Shell::Zsh => script = with_words_beside_files(&String::from_utf8(script)?).into_bytes(),
-        _ => script = with_words_of_verbs(&String::from_utf8(script)?, &command, shell).into_bytes(),
+        _ => {}
     }
     session.terminal.write_bytes(&script)?;
     Ok(Exit::Done)
@@ -40,6 +39,8 @@ pub(crate) fn run(shell: Shell, session: &mut Session) -> Result<Exit> {
 fn with_known_words(command: Command, shell: Shell) -> Command {
     let names = osim_planning::all_preset_names(None, &Disk);
     let topics: Vec<&str> = Topic::all().into_iter().map(Topic::name).collect();
+    let properties: Vec<String> =
+        Property::ALL.iter().map(|property| format!("{}=", property.name())).collect();
     let values = |argument: Arg, words: Vec<String>| argument.value_parser(PossibleValuesParser::new(words));
     let command = command
         .mut_subcommand("presets", |verb| verb.mut_arg("name", |name| values(name, names)))
@@ -48,47 +49,10 @@ fn with_known_words(command: Command, shell: Shell) -> Command {
             verb.mut_arg("topics", |topic| values(topic, topics))
         });
     // The other shells would complete no files there.
-    if !matches!(shell, Shell::Bash | Shell::Fish) {
+    if shell != Shell::Bash {
         return command;
     }
-    command.mut_subcommand("set", |verb| verb.mut_arg("items", |items| values(items, properties_to_set())))
-}
-
-fn properties_to_set() -> Vec<String> {
-    Property::ALL.iter().map(|property| format!("{}=", property.name())).collect()
-}
-
-/// The script for zsh with presets after `--from`, and properties for `set`, beside files.
-fn with_words_beside_files(script: &str) -> String {
-    let presets = osim_planning::all_preset_names(None, &Disk).join(" ");
-    let presets = format!("|PRESET:{{_files; compadd -- {presets}}}'");
-    let properties = format!(":{{_files; compadd -S \"\" -- {}}}'", properties_to_set().join(" "));
-    let with_words = |line: &str| match line.starts_with("'*::items ") {
-        true => line.replace(":_default'", &properties),
-        false => line.replace("|PRESET:_files'", &presets),
-    };
-    script.split_inclusive('\n').map(with_words).collect()
-}
-
-/// The script for PowerShell or elvish with the words that may follow a verb, which clap_complete 4.6 leaves out.
-fn with_words_of_verbs(script: &str, command: &Command, shell: Shell) -> String {
-    let mut completed = String::new();
-    for line in script.split_inclusive('\n') {
-        completed.push_str(line);
-        let begins =
-            |verb: &&Command| line.contains(&format!("'{};{}'", command.get_name(), verb.get_name()));
-        let values = command.get_subcommands().find(begins).into_iter().flat_map(Command::get_positionals);
-        for value in values.flat_map(possible_values).filter(|value| !value.get_name().contains(' ')) {
-            let word = format!("'{}'", value.get_name().replace('\'', "''"));
-            completed.push_str(&match shell {
-                Shell::Elvish => format!("            cand {word} ''\n"),
-                _ => format!(
-                    "            [CompletionResult]::new({word}, {word}, [CompletionResultType]::ParameterValue, {word})\n"
-                ),
-            });
-        }
-    }
-    completed
+    command.mut_subcommand("set", |verb| verb.mut_arg("items", |items| values(items, properties)))
 }
 
 /// The script for bash with files after a verb, where clap_complete 4.6 lists options (which begin with -), and with presets after `--from`.
@@ -148,7 +112,7 @@ fn with_missing_completions(script: &str, command: &Command) -> String {
         verbs.join(" ")
     );
     for verb in command.get_subcommands() {
-        let files = if takes_files(verb) || verb.get_name() == "set" { "" } else { " -f" };
+        let files = if takes_files(verb) { "" } else { " -f" };
         for values in verb.get_positionals().map(possible_values).filter(|values| !values.is_empty()) {
             let _ = writeln!(
                 completed,
@@ -157,11 +121,6 @@ fn with_missing_completions(script: &str, command: &Command) -> String {
                 values.iter().map(fish_completion).collect::<Vec<_>>().join("\n")
             );
         }
-    }
-    let presets = osim_planning::all_preset_names(None, &Disk).join(" ");
-    for verb in ["add", "transfer"] {
-        let condition = format!("{functions}_using_subcommand {verb}");
-        let _ = writeln!(completed, "complete -c {name} -n \"{condition}\" -l from -r -F -a \"{presets}\"");
     }
     completed
 }
