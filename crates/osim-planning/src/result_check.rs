@@ -23,7 +23,7 @@ impl PreparedChange {
     /// those about the change itself.
     ///
     /// # Errors
-    /// Those of [`plan_beside`](Self::plan_beside); a change after which the model is wrong, unless the caller means it.
+    /// Those of [`plan_with_companions`](Self::plan_with_companions); a change after which the model is wrong, unless the caller means it.
     pub fn plan(&self, opened: &OpenModel, files: &dyn Files) -> Result<Plan, Failure> {
         let mut plan = self.plan_with_note(opened, files)?;
         let changed = (!plan.is_empty()).then(|| changed_model_with_numbers(&plan, opened)).transpose()?;

@@ -124,12 +124,25 @@ fn collect_findings(
 /// the name is right.
 fn is_effect_of_misspelling(code: FindingCode) -> bool {
     use FindingCode::*;
-    match code {
-        ConnecteeByName | SocketNowhere | OutOfDomain | FloorUpright | FloorUpsideDown | FloorSlopes
-        | DefaultStiffness | NoSurfacesMeet | DynamicAboveStatic | LeftRightDiffer | LeftRightClose
-        | LeftRightPlaces | LeftRightMissing | OneSideOnly | DoubledSpheres | CrowdedSpheres => true,
-        _ => false,
-    }
+    matches!(
+        code,
+        ConnecteeByName
+            | SocketNowhere
+            | OutOfDomain
+            | FloorUpright
+            | FloorUpsideDown
+            | FloorSlopes
+            | DefaultStiffness
+            | NoSurfacesMeet
+            | DynamicAboveStatic
+            | LeftRightDiffer
+            | LeftRightClose
+            | LeftRightPlaces
+            | LeftRightMissing
+            | OneSideOnly
+            | DoubledSpheres
+            | CrowdedSpheres
+    )
 }
 
 /// Whether the contacts are made for another mass than the mass of the bodies. The bones then show nothing about the right radii.
