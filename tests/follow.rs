@@ -23,7 +23,7 @@ mod support;
 use serde_json::Value;
 use support::{CommandRun, TestDir};
 
-const RELATIVE_ROUNDING_ERROR: f64 = 1e-12;
+const ROUNDING_ERROR: f64 = 1e-12;
 const CALL_OF_TRANSFER: &str = "transfer scaled.osim --from generic.osim --follow-bodies";
 
 /// The generic and the scaled model of the fixtures, with contacts of one class.
@@ -98,10 +98,7 @@ fn planned_value(report: &Value, name: &str, property: &str) -> Value {
 #[track_caller]
 fn assert_close(value: &Value, expected: f64) {
     let value = value.as_f64().unwrap();
-    assert!(
-        (value - expected).abs() <= RELATIVE_ROUNDING_ERROR * expected.abs(),
-        "{value} is not {expected}"
-    );
+    assert!((value - expected).abs() <= ROUNDING_ERROR * expected.abs(), "{value} is not {expected}");
 }
 
 #[track_caller]

@@ -78,7 +78,7 @@ impl MocoStart {
     }
 }
 
-/// The same motion with smooth contacts, corrected to these: they press a little more than Hunt and Crossley's.
+/// The result of `request` for the model with smooth contacts, which press a little more than the contacts that they were converted from.
 fn with_smooth_contacts(request: &MotionRequest, files: &dyn Files) -> Result<MotionResult, RequestError> {
     let subject = request.subject.as_ref().ok_or(RequestFault::Missing { field: "subject" })?;
     let convert = ConvertRequest {

@@ -119,7 +119,7 @@ impl Engine {
                 ok_answer(play_recording(Request::from_map(request)?, &self.files)?)
             }
             EngineCall::Correct { request } => {
-                ok_answer(CorrectedRecording::of(Request::from_map(request)?, &mut self.files)?)
+                ok_answer(CorrectedRecording::correct(Request::from_map(request)?, &mut self.files)?)
             }
             EngineCall::Change { request, parts } => {
                 self.last = None;

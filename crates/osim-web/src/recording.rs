@@ -43,7 +43,7 @@ impl CorrectedRecording {
     ///
     /// # Errors
     /// The recording cannot be corrected, or a file has the name of a new one.
-    pub(crate) fn of(request: Request, given_files: &mut GivenFiles) -> Result<Self, Problem> {
+    pub(crate) fn correct(request: Request, given_files: &mut GivenFiles) -> Result<Self, Problem> {
         let mut request = motion_request(request)?;
         let result = run_motion(&request, given_files)?;
         let (Some(judged), Some(path)) = (&result.consistency, request.correct.take()) else {

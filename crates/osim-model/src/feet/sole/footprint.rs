@@ -41,7 +41,7 @@ impl Footprint {
     }
 
     /// The footprint of a foot. `flat` are all its points, `near` those near the ground.
-    pub(super) fn of(flat: &[GroundPoint], near: &[DVec2]) -> Self {
+    pub(super) fn around(flat: &[GroundPoint], near: &[DVec2]) -> Self {
         let mut whole: Vec<DVec2> = flat.iter().map(|point| point.at).collect();
         sort_and_dedup(&mut whole);
         let ahead = lengthwise_direction(&convex_hull(&whole));

@@ -166,7 +166,7 @@ fn sole(
         side: foot.side,
         up: axes.up,
         height_m,
-        footprint: Footprint::of(&flat, &near),
+        footprint: Footprint::around(&flat, &near),
         spheres: spheres.collect(),
         outline_m: corners.into_iter().map(|corner| axes.in_ground(corner, height_m)).collect(),
     })
