@@ -73,7 +73,7 @@ inChromium("a force in kN is said, and nothing is written; a delay is a field", 
   await user.button("Correct the motion").click();
   const correction = page.locator(".correction");
   await correction.getByText(/are their forces in kN/).waitFor({ timeout: 60_000 });
-  assert.equal(await correction.locator(".tag.error").innerText(), "disagree");
+  assert.equal(await correction.locator(".tag.warning").innerText(), "disagree");
   assert.equal(await page.getByRole("button", { name: /^Download walk/ }).count(), 0);
   await page.getByText("Filter and delay").click();
   await page.getByLabel("Delay of the force plates (s)").fill("0,05");

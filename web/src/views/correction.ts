@@ -9,7 +9,7 @@ import { choices } from "./choices";
 import { sentence } from "./failure";
 
 const ABOUT = "Does a small correction of the motion make the contacts give the forces of the plates?";
-const SIGNS: Readonly<Record<CorrectedMotion["verdict"], string>> = { agree: "good", "large-correction": "warning", disagree: "error" };
+const SIGNS: Readonly<Record<CorrectedMotion["verdict"], string>> = { agree: "good", "large-correction": "remark", disagree: "warning" };
 
 export type MotionRequest = Readonly<Record<string, unknown>> & { verb: string; motion: string };
 
