@@ -129,6 +129,18 @@ fn classes_and_versions_that_opensim_does_not_read_are_errors() {
     }
 }
 
+/// What follows from the mass that OpenSim then takes, not a number, is not said besides.
+#[test]
+fn a_misspelt_mass_is_one_error() {
+    let dir = TestDir::with_human();
+    let text = dir.text("human.osim").replacen("<mass>", "<mas>", 1).replacen("</mass>", "</mas>", 1);
+    dir.write("human.osim", text);
+    let report = check_json(&dir, "human.osim");
+    assert_eq!(report["counts"]["error"], 1, "{report}");
+    let found = finding_with_code(&report, "unknown-name");
+    assert!(found["message"].as_str().unwrap().contains("mass is meant"), "{found}");
+}
+
 #[test]
 fn contacts_that_opensim_does_not_read_cause_a_warning() {
     for case in ["empty_forceset_first", "forces_outside_objects"] {

@@ -129,6 +129,8 @@ fn is_effect_of_misspelling(code: FindingCode) -> bool {
         ConnecteeByName
             | SocketNowhere
             | OutOfDomain
+            | NotFinite
+            | MassUnknown
             | FloorUpright
             | FloorUpsideDown
             | FloorSlopes

@@ -155,10 +155,13 @@ pub(super) fn find_misread_texts(model: &Model) -> Vec<Finding> {
                 return tag != "Model";
             }
             if known_children(document, element).is_none() || class == "Model" {
-                let is_joint = class.ends_with("Joint");
-                let lists: &[&str] = if is_joint { &["frames", "coordinates", "CoordinateSet"] } else { &[] };
+                let others: &[&str] = match class {
+                    "Body" => &["mass"],
+                    _ if class.ends_with("Joint") => &["frames", "coordinates", "CoordinateSet"],
+                    _ => &[],
+                };
                 let numbers = all.iter().flat_map(|(tags, ..)| tags.iter());
-                let known: Vec<&str> = lists.iter().chain(numbers).copied().collect();
+                let known: Vec<&str> = others.iter().chain(numbers).copied().collect();
                 found.extend(find_unknown_children(model, component.file, element, (&known, &mut meant)));
             }
             children.clear();
