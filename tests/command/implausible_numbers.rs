@@ -29,6 +29,23 @@ fn rescale_asks_about_a_radius_in_another_unit() {
 }
 
 #[test]
+fn lengths_in_millimetres_cause_a_question_without_a_model() {
+    let dir = TestDir::with(&[("measured/heel_pad.csv", "heel_pad.csv")]);
+    let asks = |arguments: &str, name: &str| {
+        dir.run(arguments).usage_error().wrote_nothing().matches_snapshot(&format!("implausible_{name}"));
+    };
+    let design = "design --mass 62 --spheres 6 --indentation 0.1 --radius";
+    asks(&format!("{design} 32"), "design_radius_mm");
+    dir.run(&format!("{design} 32 --yes implausible-radius")).succeeded();
+    dir.run(&format!("{design} 0.99")).succeeded();
+    let fit = "fit heel_pad.csv --time-column time --radius";
+    asks(&format!("{fit} 30 --indentation-unit mm"), "fit_radius_mm");
+    asks(&format!("{fit} 0.03"), "fit_indentation_mm");
+    dir.run(&format!("{fit} 0.03 --yes implausible-radius")).succeeded();
+    dir.run(&format!("{fit} 0.03 --indentation-unit mm")).succeeded();
+}
+
+#[test]
 fn rescale_asks_about_an_implausible_scaled_radius() {
     // 62 kg to 62 kg x 125 is 5 times the length: 0.032 m to 0.16 m, above the 0.1488 m of the foot.
     let dir = TestDir::with_human();

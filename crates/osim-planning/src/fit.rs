@@ -4,10 +4,17 @@ use std::path::{Path, PathBuf};
 
 use contact_scaling::fit::{Fit, FitError, FitValues, Measurement, Rate, fit};
 use osim_model::files::{Failure, Files};
+use osim_model::messages::{Input, four_significant, phrase};
+use osim_model::{Suspicion, YesQuestion};
 use osim_requests::ColumnOptions;
 use osim_requests::{FitRequest, RequestError, RequestFault};
 
+use crate::calculator::require_plausible_radius;
 use crate::sheet::Sheet;
+
+/// The deepest indentation over the radius that is believed without an answer: the whole sphere is in the other surface.
+const DEEPEST_PLAUSIBLE: f64 = 2.0;
+const IMPLAUSIBLE: YesQuestion = YesQuestion::ImplausibleRadius;
 
 /// A fit of contact parameters to a measured curve.
 #[derive(Debug, Clone)]
@@ -30,6 +37,7 @@ pub fn run_fit(request: &FitRequest, files: &dyn Files) -> Result<FitResult, Req
     let file = request.file.clone().ok_or(RequestFault::Missing { field: "file" })?;
     let radius = request.radius.ok_or(RequestFault::Missing { field: "radius" })?;
     let (sphere_count, radius_m) = (request.spheres.get(), radius.get());
+    require_plausible_radius(radius_m, &request.answers)?;
     let values =
         FitValues { radius_m, sphere_count, onset: request.onset.get(), branch: request.branch.branch() };
     let shown = file.display().to_string();
@@ -43,6 +51,15 @@ pub fn run_fit(request: &FitRequest, files: &dyn Files) -> Result<FitResult, Req
     let measurement =
         Measurement { indentation_m: &measured.indentation_m, force_n: &measured.force_n, rate };
     let fit = fit(&measurement, &values).map_err(|error| failed(with_line_of_file(&error, &measured)))?;
+    if fit.largest_relative_indentation > DEEPEST_PLAUSIBLE && !request.answers.confirms(IMPLAUSIBLE) {
+        let times = four_significant(fit.largest_relative_indentation);
+        let text = phrase![
+            "the indentation goes to {times} times the radius: if it is in mm, add {}";
+            Input::IndentationUnit.with_value("mm")
+        ];
+        let doubt = Suspicion::Other { question: IMPLAUSIBLE, text };
+        return Err(RequestFault::refused(Input::IndentationUnit, doubt.phrase()).into());
+    }
     let lines = fit.rows.iter().map(|&row| measured.line_of_row(row)).collect();
     Ok(FitResult { file, sphere_count, radius_m, fit, lines })
 }

@@ -2,12 +2,33 @@
 
 use contact_scaling::sizing::{KnownQuantities, Sizing, SizingError};
 use contact_scaling::{DomainError, SharedLoad, SmoothingValues, modulus, patch, restitution, smoothing};
-use osim_model::RadiusRule;
 use osim_model::messages::{Input, Phrase, phrase, readable};
+use osim_model::{RadiusRule, Suspicion, YesQuestion};
+use osim_requests::options::AnswerOptions;
 use osim_requests::{
     Count, DesignRequest, Kilograms, PoissonRatio, Positive, RelativeIndentation, RequestFault,
     RestitutionCoefficient,
 };
+
+/// The smallest radius, m, that is larger than the feet of any animal.
+const RADIUS_OF_NO_FOOT_M: f64 = 1.0;
+
+/// Asks about a radius that is too large to be in metres.
+///
+/// # Errors
+/// The radius is that large, and the caller has not confirmed it.
+pub(crate) fn require_plausible_radius(radius_m: f64, answers: &AnswerOptions) -> Result<(), RequestFault> {
+    let question = YesQuestion::ImplausibleRadius;
+    if radius_m < RADIUS_OF_NO_FOOT_M || answers.confirms(question) {
+        return Ok(());
+    }
+    let metres = |per_metre: f64| readable(radius_m / per_metre);
+    let text = phrase![
+        "{} is larger than the feet of any animal: radii are in m, write {} if it is in mm, or {} if it is in cm";
+        Input::Radius.with_value(readable(radius_m)), metres(1000.0), metres(100.0)
+    ];
+    Err(RequestFault::refused(Input::Radius, Suspicion::Other { question, text }.phrase()))
+}
 
 pub(super) struct DesignInputs {
     pub(super) mass_kg: Option<f64>,
@@ -61,7 +82,10 @@ impl DesignInputs {
         let wanted = &request.clone().with_indentation_of_stiffness()?.wanted;
         let radius_m = match wanted.radius() {
             None => None,
-            Some(RadiusRule::Metres(metres)) => Some(metres),
+            Some(RadiusRule::Metres(metres)) => {
+                require_plausible_radius(metres, &request.answers)?;
+                Some(metres)
+            }
             Some(_) => {
                 let message = phrase![
                     Input::Radius,

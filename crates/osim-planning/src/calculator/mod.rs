@@ -17,7 +17,7 @@ use osim_requests::{ConstantIndentation, DesignRequest, Positive, RequestFault, 
 use serde::Serialize;
 
 use inputs::{DesignInputs, ModulusSource, RestingContact, solve_at_rest, speed_smoothing};
-pub(crate) use inputs::{STANDARD_GRAVITY_M_S2, domain_fault};
+pub(crate) use inputs::{STANDARD_GRAVITY_M_S2, domain_fault, require_plausible_radius};
 
 /// All figures that follow from the known ones. Serialised it is the JSON contract of `design` without a model; `docs/reference/json.md`
 /// describes it.
