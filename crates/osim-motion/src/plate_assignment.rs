@@ -97,8 +97,9 @@ impl MeasuredForces {
     /// Sets frames to unknown in which a foot stands beside the plates, because the force under the foot is not measured
     /// then.
     fn clear_frames_beside_plates(&mut self, feet: &[Foot], states: &ContactStates, weight_n: f64) {
+        let total = self.total.clone();
         for ((foot, series), count) in feet.iter().zip(&mut self.feet).zip(&mut self.beside) {
-            let beside = frames_beside_plates(states, foot, series, weight_n);
+            let beside = frames_beside_plates(states, foot, series, &total, weight_n);
             for ((force, total), _) in
                 series.iter_mut().zip(&mut self.total).zip(beside).filter(|(_, is_beside)| *is_beside)
             {
@@ -208,12 +209,19 @@ const LOADED_BW: f64 = 0.5;
 /// Quantile of the depths of a foot in frames with a plate force; a foot at this depth or deeper is as low as on a plate.
 const LEAST_DEPTH_QUANTILE: f64 = 0.05;
 
-/// For each frame, whether `foot` stands beside the plates: it is as low and as still as it usually is on a plate, but no plate
-/// measures a force. The frames before and after also count, while the foot is as low as on a plate.
+/// Force of all plates together, in body weights, above which the measured feet carry the body.
+const CARRIED_BW: f64 = 0.6;
+/// The shortest time, s, in which a foot stands beside the plates. A swinging foot is low and still for a moment.
+const SHORTEST_STEP_S: f64 = 0.08;
+
+/// For each frame, whether `foot` stands beside the plates: it is as low and as still as it usually is on a plate, but its `plates`
+/// measure no force, and the `total` of all plates does not carry the body. The frames before and after also count, while the foot is as
+/// low as on a plate.
 fn frames_beside_plates(
     states: &ContactStates,
     foot: &Foot,
     plates: &[Option<Wrench>],
+    total: &[Option<Wrench>],
     weight_n: f64,
 ) -> Vec<bool> {
     let frames: Vec<Option<(f64, &ContactState)>> = plates
@@ -240,9 +248,20 @@ fn frames_beside_plates(
             state.indentation_m >= usual_m && state.rate_m_s.abs() < FASTEST_STILL_FOOT_M_S
         })
     };
+    let is_carried = |frame: usize| {
+        let sum = total[frame].as_ref().zip(foot.deepest_contact(states, frame));
+        sum.is_some_and(|(wrench, state)| wrench.force_n.dot(state.normal) >= CARRIED_BW * weight_n)
+    };
+    // Half of the time before and after a frame belongs to it.
+    let time_s = |frame: usize| states.time_s[frame.min(states.time_s.len() - 1)];
+    let duration_s = |frame: usize| 0.5 * (time_s(frame + 1) - time_s(frame.saturating_sub(1)));
     let mut is_beside_in = Vec::with_capacity(frames.len());
     for run in frames.chunk_by(|before, after| is_low(before) == is_low(after)) {
-        let is_beside = run.first().is_some_and(is_low) && run.iter().any(stands);
+        let first = is_beside_in.len();
+        let alone = (first..first + run.len()).filter(|&frame| !is_carried(frame));
+        let is_beside = run.first().is_some_and(is_low)
+            && run.iter().any(stands)
+            && alone.map(duration_s).sum::<f64>() >= SHORTEST_STEP_S;
         is_beside_in.extend(std::iter::repeat_n(is_beside, run.len()));
     }
     is_beside_in
