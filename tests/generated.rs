@@ -161,7 +161,7 @@ fn figures_table() -> String {
             [info.name.to_owned(), info.column().to_string()].map(|name| format!("`{name}`"));
         vec![name, column, info.equation.to_owned(), limit]
     });
-    markdown_table(&["field", "column in CSV, which says what it is", "equation", "limit"], rows)
+    markdown_table(&["field", "column in CSV", "equation", "limit"], rows)
 }
 
 /// The part of docs/reference/json.md about the values that a design without a model computes.

@@ -46,7 +46,7 @@ def walker(text):
     yield "by {} to {} % at k̂ = 1.2, {} to {} % at 3.4, {} to {} % at 9.4", ranges
     yield "ended {} to {} % apart", ends(changes([c, c])[1] for row in effort for c in row[1:] if "(" in c)
     counts = [sum(numbers(row[column])[0] for row in success) for column in range(1, 5)]
-    yield "of {} searches {} are solved, {} have the same effort at twice the mesh, and {} the same force", counts
+    yield "of {} searches {} are solved, {} have the same effort with the mesh doubled, and {} the same force", counts
     yield "{} and {} % more effort", numbers(*(row[4] for row in rows(text, "sizes")[4:]))
     yield "By effort alone, {} and {} succeed", [numbers(row[3])[0] for row in ladder]
     yield "a median of {} s against {}.", numbers(ladder[1][7], ladder[0][7])
@@ -66,7 +66,7 @@ def walker(text):
     yield "{} guesses gave {} to {} % less effort", [len(cheaper), *ends(share for share, *_ in cheaper)]
     dearer = [int(rungs["seed"]) for share, rungs in less if share < -0.01]
     yield "(seeds {} and {}) {} % more", [*dearer, -min(share for share, _ in less)]
-    yield "With twice the mesh {} of the {} keep it", [sum(effort for _, effort, _ in cheaper), len(cheaper)]
+    yield "With the mesh doubled {} of the {} keep it", [sum(effort for _, effort, _ in cheaper), len(cheaper)]
 
 
 def falls(text):
