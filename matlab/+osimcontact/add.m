@@ -18,7 +18,7 @@ function results = add(varargin)
 %     pad: How far below the lowest bone point the sole is, m: bones have no skin. Takes a number.
 %     geometry_dir: A folder with the bones' meshes, beside that of the model and its Geometry. Takes a
 %         text.
-%     mirror: Give a reference that has one side only the other one too, mirrored in this axis. Takes
+%     mirror: If the reference has one side only: make the other side, too, mirrored in this axis. Takes
 %         'z'.
 %     class: Class of the new forces [default: the reference's]. Takes 'smooth' or 'hunt-crossley'.
 %     friction: Scale transition_velocity and viscous_friction of the reference too (an extension of the
@@ -67,7 +67,7 @@ function results = add(varargin)
 %         number.
 %     reference_spheres: Its spheres that share the body weight [default: as found per limb]. Takes a
 %         whole number.
-%     reference_gravity: Its gravity, m/s2 [default: its note's, else its own]: said, contacts are
+%     reference_gravity: Its gravity, m/s2 [default: its note's, else its own]: if given, contacts are
 %         scaled from it to target_gravity. Takes a number.
 %     reference_select: Only its forces with such a name. Takes a text or a cell array of texts.
 %     reference_sphere: Take contact and isometric radius of this sphere for all. Takes a text.

@@ -24,8 +24,7 @@ function results = fit(varargin)
 %         'radians'.
 %     low_pass: Smooth the coordinates first: zero-lag Butterworth filter of 4th order, cutoff in Hz (6
 %         is usual for walking). Takes a number.
-%     plates_delay: The plates are late by this time, s: what they measured counts so much earlier.
-%         Takes a number.
+%     plates_delay: Delay of the plates, s: their data are moved earlier by this time. Takes a number.
 %     radius: Sphere radius, m. Takes a number.
 %     spheres: Spheres that share the measured force [default: 1]. Takes a whole number.
 %     onset: Where contact begins, in metres, or fit to find it. Takes 'fit' or a number.

@@ -8,7 +8,7 @@ function results = inspect(varargin)
 %   Options, each a NAME and a VALUE (target_mass and TargetMass are the same):
 %     from: The generic model this one was scaled from: show each body's factors. Takes a text.
 %     body_scale_file: With from: the ScaleSet that the Scale Tool applied. Takes a text.
-%     target_mass: List what else would follow the size of a body of this mass, kg: muscles, springs,
+%     target_mass: List what else changes with body size, for a body of this mass, kg: muscles, springs,
 %         actuators. Takes a number.
 %     report: Write a page for browsers too (.html): tables, plots, findings. Takes a text.
 %     force: Replace an existing report. Takes true or false.

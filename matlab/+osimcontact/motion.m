@@ -15,8 +15,7 @@ function results = motion(varargin)
 %         'radians'.
 %     low_pass: Smooth the coordinates first: zero-lag Butterworth filter of 4th order, cutoff in Hz (6
 %         is usual for walking). Takes a number.
-%     plates_delay: The plates are late by this time, s: what they measured counts so much earlier.
-%         Takes a number.
+%     plates_delay: Delay of the plates, s: their data are moved earlier by this time. Takes a number.
 %     belt: Speed of a treadmill's belt towards -x, m/s; slip is relative to it. Takes a number.
 %     belt_column: Speed of a treadmill's belt from this column of the motion. Takes a text.
 %     start: Leave out what the motion has before this time, s. Takes a number.

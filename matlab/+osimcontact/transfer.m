@@ -17,7 +17,7 @@ function results = transfer(varargin)
 %         number.
 %     reference_spheres: Its spheres that share the body weight [default: as found per limb]. Takes a
 %         whole number.
-%     reference_gravity: Its gravity, m/s2 [default: its note's, else its own]: said, contacts are
+%     reference_gravity: Its gravity, m/s2 [default: its note's, else its own]: if given, contacts are
 %         scaled from it to target_gravity. Takes a number.
 %     reference_select: Only its forces with such a name. Takes a text or a cell array of texts.
 %     reference_sphere: Take contact and isometric radius of this sphere for all. Takes a text.

@@ -108,7 +108,7 @@ def add(
     geometry_dir : path, optional
         A folder with the bones' meshes, beside that of the model and its Geometry.
     mirror : {"z"}, optional
-        Give a reference that has one side only the other one too, mirrored in this axis.
+        If the reference has one side only: make the other side, too, mirrored in this axis.
     class_ : {"smooth", "hunt-crossley"}, optional
         Class of the new forces [default: the reference's]
     friction : bool, optional
@@ -170,7 +170,7 @@ def add(
     reference_spheres : int, optional
         Its spheres that share the body weight [default: as found per limb]
     reference_gravity : float, optional
-        Its gravity, m/s2 [default: its note's, else its own]: said, contacts are scaled from it to
+        Its gravity, m/s2 [default: its note's, else its own]: if given, contacts are scaled from it to
         `target_gravity`.
     reference_select : str or list of str, optional
         Only its forces with such a name; one or several in a list.
@@ -824,7 +824,7 @@ def fit(
         Smooth the coordinates first: zero-lag Butterworth filter of 4th order, cutoff in Hz (6 is usual for
         walking)
     plates_delay : float, optional
-        The plates are late by this time, s: what they measured counts so much earlier.
+        Delay of the plates, s: their data are moved earlier by this time.
     radius : float, optional
         Sphere radius, m.
     spheres : int, optional
@@ -925,7 +925,7 @@ def inspect(
     body_scale_file : path, optional
         With `from_`: the ScaleSet that the Scale Tool applied.
     target_mass : float, optional
-        List what else would follow the size of a body of this mass, kg: muscles, springs, actuators.
+        List what else changes with body size, for a body of this mass, kg: muscles, springs, actuators.
     report : path, optional
         Write a page for browsers too (.html): tables, plots, findings.
     force : bool, optional
@@ -1030,7 +1030,7 @@ def motion(
         Smooth the coordinates first: zero-lag Butterworth filter of 4th order, cutoff in Hz (6 is usual for
         walking)
     plates_delay : float, optional
-        The plates are late by this time, s: what they measured counts so much earlier.
+        Delay of the plates, s: their data are moved earlier by this time.
     belt : float, optional
         Speed of a treadmill's belt towards -x, m/s; slip is relative to it.
     belt_column : str, optional
@@ -1770,7 +1770,7 @@ def transfer(
     reference_spheres : int, optional
         Its spheres that share the body weight [default: as found per limb]
     reference_gravity : float, optional
-        Its gravity, m/s2 [default: its note's, else its own]: said, contacts are scaled from it to
+        Its gravity, m/s2 [default: its note's, else its own]: if given, contacts are scaled from it to
         `target_gravity`.
     reference_select : str or list of str, optional
         Only its forces with such a name; one or several in a list.

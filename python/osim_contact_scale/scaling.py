@@ -3133,7 +3133,7 @@ def mean_square_radius(*, radius: NumberList, nan: Literal["raise", "propagate"]
     Returns
     -------
     float
-        R²: square of one radius in the place of all n; in m².
+        R²: square of the radius that n equal spheres would have; in m².
 
     Raises
     ------

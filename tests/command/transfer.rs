@@ -219,7 +219,7 @@ fn the_predsim_rule_refuses_gravity_options() {
     for gravity in ["--target-gravity 1.62", "--reference-gravity 1.62"] {
         let run = dir.run(&format!("{call} {gravity}"));
         assert_eq!(run.status, Some(2), "{gravity}");
-        run.says(&["says nothing with --rule predsim"]);
+        run.says(&["has no effect with --rule predsim"]);
     }
 }
 

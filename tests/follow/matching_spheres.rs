@@ -86,14 +86,14 @@ fn radii_of_followed_spheres_may_follow_another_rule() {
     assert_stderr_has(
         &factor,
         &[
-            "a factor of --radius says nothing with --follow-bodies",
+            "a factor of --radius has no effect with --follow-bodies",
             "--radius-axis",
             "isometric, metres or kept",
         ],
     );
     let plan_with_counts =
         dir.run(&format!("{CALL_OF_TRANSFER} --radius isometric --radius-axis x")).usage_error();
-    assert_stderr_has(&plan_with_counts, &["--radius-axis says nothing with --radius"]);
+    assert_stderr_has(&plan_with_counts, &["--radius-axis has no effect with --radius"]);
 }
 
 /// A folder with two models that have more spheres on the right side, because the left toe has none.

@@ -98,5 +98,5 @@ export const WORDS = [
   ["; may be repeated", ""], [", separated by commas", ""], [" (or one, BODY=f)", ": BODY=x,y,z or BODY=f"],
   ["the one that takes its spheres here", "the one that takes its spheres here: toes_r=calcn_r"],
   ["(with models also keep or a factor like x1.5)", ""], ["OpenSim's names, and radius", "by OpenSim’s names, and the radius"],
-  [": said, contacts are scaled from it to `target_gravity`", "; with it, contacts are scaled to `target_gravity`"],
+  [": if given, contacts are scaled from it to `target_gravity`", "; with it, contacts are scaled to `target_gravity`"],
 ];

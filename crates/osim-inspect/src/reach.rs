@@ -60,7 +60,7 @@ impl Reach {
                 )
             }
             ReachMeasure::TowardsJoint => format!(
-                "lies at {value} of the way to the next joint, {towards}, and no published sphere beyond 1.34"
+                "lies at {value} of the way to the next joint, {towards}; no published sphere is beyond 1.34"
             ),
             ReachMeasure::AlongFoot => format!(
                 "is the foremost of {towards} and lies at {value} of the foot's length, published ones at 0.69 to 1.01"

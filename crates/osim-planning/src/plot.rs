@@ -31,7 +31,7 @@ pub fn plot_feet(request: &PlotRequest, files: &dyn Files) -> Result<Vec<ModelFe
     let states = request.models.len() + usize::from(request.target_mass.is_some());
     if states > 2 {
         return Err(RequestFault::general(phrase![
-            "a figure of feet shows one model, or two (before and after): leave out others, and {} beside two";
+            "feet are drawn for one model, or two (before and after): name one or two; {} goes with one only";
             Input::TargetMass
         ])
         .into());

@@ -249,8 +249,8 @@ pub(crate) fn findings_without_remedies(
 fn question_about(wrong: &Finding, has_parted: bool) -> Suspicion {
     let advice = if has_parted {
         phrase![
-            "Unlike radii change about centres that stay. Keep the lowest points where they are with {}, or the \
-            radii with {}";
+            "Radii that differ change around centres that stay, so lowest points move apart. Keep the lowest points \
+            where they are with {}, or the radii with {}";
             Input::Level, Input::Radius.with_value("keep")
         ]
     } else {

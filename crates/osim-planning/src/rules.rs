@@ -47,7 +47,7 @@ rule! { BOTTOMS_MOVED: BottomsMoved, Warning;
     what: "A change moves the lowest points of spheres so far that the default pose is no longer on the floor, or that the spheres of a level foot become uneven.",
     why: "Radii grow around centres that stay. A simulation that starts from the default pose starts inside the floor then, and lower spheres carry what all should carry. Contacts that are made for a body which is still to be scaled are not judged by the pose of the one that is there, nor are spheres that follow their bodies.",
     advice: "Give the coordinate its new value, or keep the lowest points of the spheres where they are with `level`; nothing, if simulations start from a pose of their own and the foot should be uneven",
-    repair: Repair::OnlyInChange("a change is what it is about, and not a model"),
+    repair: Repair::OnlyInChange("it is about a change, not about a model"),
     example: Example::Request {
         good: r#"{"verb": "set", "models": ["check/within_limits.osim"], "set": {"radius": "x1.05"}}"#,
         bad: r#"{"verb": "set", "models": ["check/within_limits.osim"], "set": {"radius": "x2"}}"# },

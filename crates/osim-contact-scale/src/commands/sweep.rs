@@ -154,13 +154,13 @@ fn text_after_sweep(sweep: &SweepRun<'_>, request: &SweepRequest, end: &SweepEnd
     if let (Some(point), Some(file)) = (request.point, sweep.point_file()) {
         let file = sweep.folder().join(file);
         let done = if end.earlier > 0 { "done before" } else { "written" };
-        return format!("point {point} of {points}: {} {done}; what is in it: {manifest}\n", file.display());
+        return format!("point {point} of {points}: {} {done}; its values: {manifest}\n", file.display());
     }
     let (made, count) = (end.made, sweep.count());
     let of = if made + end.earlier < count { format!(" of {count}") } else { String::new() };
     let before = if end.earlier > 0 { format!(", {} done before", end.earlier) } else { String::new() };
     let share = request.shard.map(|shard| format!(", share {shard} of {points}")).unwrap_or_default();
-    format!("{made}{of} models written{before}{share}; what is in which: {manifest}\n")
+    format!("{made}{of} models written{before}{share}; their values: {manifest}\n")
 }
 
 fn report(record: &SweepRecord, text: &str, request: &SweepRequest, session: &mut Session) -> Result<()> {

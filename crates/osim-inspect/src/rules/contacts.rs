@@ -90,7 +90,7 @@ pub(crate) fn stale_note(fault: &Fault) -> Option<Finding> {
 rule! { pub(crate) COUNT_UNKNOWN: CountUnknown, Remark, Mass;
     what: "How many spheres share the weight is not known.",
     why: "Limbs are found by left and right sides below the joint tree. Where that does not work, values under body weight are absent, and indentations are not judged.",
-    advice: "Give it with `spheres=N`; where spheres are on several bodies that only ground connects, choose those of one with `select=GLOB`",
+    advice: "Give it with `spheres=N`; where spheres are on separate bodies, such as a player and a ball, choose those of one with `select=GLOB`",
     repair: Repair::NotPossible("only you know how many spheres share the weight"),
     example: Example::Models { good: "check/within_limits.osim", bad: "format/no_sides.osim" },
 }

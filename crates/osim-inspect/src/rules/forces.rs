@@ -149,7 +149,7 @@ fn describe_apart(model: &Model, force: &Force) -> Option<String> {
 
 rule! { pub(super) SPHERE_OF_OTHER_SIDE: SphereOfOtherSide, Warning, Sides;
     what: "A force of one side presses spheres of both sides.",
-    why: "Forces of feet are read by the names of the contact forces: the result of one foot then has a part of the other one's. In no published model it is so.",
+    why: "Scripts read the force of a foot by the names of its contact forces: the force of one foot then includes a part of the other foot's. No published model has this.",
     advice: "Name the sphere of the force's own side, or move this one to the force of the other side",
     repair: Repair::NotPossible("only you know which sphere is right"),
     example: Example::Piece { model: "format/v40000.osim", good: "<geometry>floor heel_r toe_r</geometry>",

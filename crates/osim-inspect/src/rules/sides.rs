@@ -265,7 +265,7 @@ fn describe_places(pair: &SpherePair<'_>) -> String {
 
 rule! { pub(super) LEFT_RIGHT_MISSING: LeftRightMissing, Warning, Sides;
     what: "A sphere has no counterpart on the other side.",
-    why: "The other side has the body but fewer spheres, so that each of them carries more of the weight. Of 150 published models with contacts on both sides four have unlike numbers, all with prostheses.",
+    why: "The other side has the body but fewer spheres, so that each of them carries more of the weight. Of 150 published models with contacts on both sides four have different numbers, all with prostheses.",
     advice: "Add the sphere that is missing, or remove the extra one from the file",
     repair: Repair::NotPossible("only you know which side is right"),
     example: Example::Piece { model: "format/v40000.osim", good: "<geometry>floor heel_l toe_l</geometry>",

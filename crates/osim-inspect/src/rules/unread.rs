@@ -120,8 +120,8 @@ fn find_misplaced_objects(model: &Model) -> Vec<Finding> {
 }
 
 rule! { pub(super) IGNORED_CONTACTS: IgnoredContacts, Warning;
-    what: "Contacts stand where OpenSim does not read them.",
-    why: "OpenSim reads the first set of each kind, and of a set what is in its first <objects>. What stands elsewhere is in the file, but not in the simulation.",
+    what: "Contacts are where OpenSim does not read them.",
+    why: "OpenSim reads the first set of each kind, and of a set what is in its first <objects>. What is elsewhere is in the file, but not in the simulation.",
     advice: "Move the contacts into the <objects> of the set that OpenSim reads",
     repair: Repair::NotPossible("only numbers are changed, and the contacts have to move"),
     example: Example::Models { good: "format/v40000.osim", bad: "bad/forceset_no_objects.osim" },

@@ -63,7 +63,7 @@ impl<'r> RowReader<'r> {
         let columns = summary_columns()?;
         if let Some(taken) = others.iter().find(|other| columns.iter().any(|column| column == *other)) {
             return Err(LibraryFault::new(format!(
-                "{name}: a summary has a column '{taken}' itself: let the name of yours begin with #"
+                "{name}: the summary has a column '{taken}' of its own: let the name of yours begin with #"
             )));
         }
         let remark =

@@ -216,8 +216,8 @@ fn write_all(file: &mut File, slices: &mut [IoSlice<'_>]) -> std::io::Result<()>
 /// The fault of a file whose owner cannot be kept.
 fn fault_of_other_owner(shown: &Path) -> LibraryFault {
     LibraryFault::new(phrase![
-        "{} belongs to another user or group, and changed it would be yours: let its owner change it, or write to \
-        another name with {}";
+        "{} belongs to another user or group, and the changed file would belong to you: let its owner change it, or \
+        write to another name with {}";
         shown.display().to_string(), Input::Output
     ])
 }

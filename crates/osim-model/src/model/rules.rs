@@ -165,8 +165,8 @@ rule! { NOT_A_SCALED_COPY: NotAScaledCopy, Warning;
 }
 
 /// The consequence if models are different, for the end of the message.
-const OTHER_SOURCE_OF_FACTORS: &str = "no factors per body and axis lead from the reference to this model; factors are those of the same bone's \
-                       mesh, or ratios of distances between joints";
+const OTHER_SOURCE_OF_FACTORS: &str =
+    "so factors are those of the same bone's mesh, or ratios of distances between joints";
 
 /// The finding that the model is not a scaled copy; `message` says what differs.
 pub(crate) fn not_a_scaled_copy(mut message: Phrase) -> Finding {

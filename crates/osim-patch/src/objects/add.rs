@@ -110,7 +110,7 @@ fn refuse_fixed_body(body: &Body) -> Result<(), Fault> {
         return Ok(());
     }
     let text = format!(
-        "only WeldJoints are between body {} and ground, so that its spheres would be scenery and carry nobody: put them on a \
+        "only WeldJoints are between body {} and ground, so that its spheres would be scenery and carry nothing: put them on a \
          body that moves, or give this one another joint in OpenSim",
         body.name
     );

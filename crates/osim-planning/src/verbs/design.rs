@@ -70,7 +70,7 @@ fn refuse_useless_options(request: &DesignRequest) -> Result<(), RequestFault> {
     }
     if !wants_depth && (request.load.load.is_some() || request.load.body_weights.is_some()) {
         let why = phrase![
-            "a load says nothing without {}: leave it out, or give the indentation that you want";
+            "a load has no effect without {}: leave it out, or give the indentation that you want";
             Input::Indentation.with_placeholder("X")
         ];
         return Err(RequestFault::general(why));

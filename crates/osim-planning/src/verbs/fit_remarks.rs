@@ -28,7 +28,7 @@ pub(super) fn remarks(
     }
     remarks.extend(remark_if_worse(fit, bounds));
     for HeldOut { fitted, tested, vertical_rms_bw } in &fit.held_out {
-        let text = format!("held out: fitted to the {fitted}, the error at the {tested} is");
+        let text = format!("cross-validation: fitted to the {fitted}, the error at the {tested} is");
         remarks.push(format!("{text} {vertical_rms_bw:.3} body weights (rms)").into());
     }
     // If spheres move, the floor of the first trial stays, and heights of floors begin with the second trial.

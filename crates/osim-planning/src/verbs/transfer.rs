@@ -125,7 +125,7 @@ fn refuse_useless_options(request: &TransferRequest) -> Result<(), RequestFault>
         ];
         if let Some((input, _)) = gravities.into_iter().find(|(_, given)| *given) {
             let message = phrase![
-                "{} says nothing with {}, which has no gravity";
+                "{} has no effect with {}, which has no gravity";
                 input, Input::Rule.with_value("predsim")
             ];
             return Err(RequestFault::refused(input, message));
@@ -153,14 +153,14 @@ fn refuse_senseless_radii(request: &TransferRequest) -> Result<(), RequestFault>
     }
     if matches!(rule, Some(RadiusRule::Factor(_))) {
         let message = phrase![
-            "a factor of {} says nothing with {}: radii follow the bodies, by {}, or are isometric, metres or kept";
+            "a factor of {} has no effect with {}: radii follow the bodies, by {}, or are isometric, metres or kept";
             Input::Radius, Input::FollowBodies, Input::RadiusAxis
         ];
         return Err(RequestFault::refused(Input::Radius, message));
     }
     if follow.radius_axis() != RadiusAxis::default() {
         let message = phrase![
-            "{} says nothing with {}: radii follow either from the factors of bodies or from that rule";
+            "{} has no effect with {}: radii follow either from the factors of bodies or from that rule";
             Input::RadiusAxis, Input::Radius
         ];
         return Err(RequestFault::refused(Input::RadiusAxis, message));

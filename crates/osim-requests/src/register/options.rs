@@ -91,7 +91,7 @@ pub(super) fn entry_of(field: Field<'_>, verb: Verb) -> Option<Entry> {
     }
     GROUP_OF_ONE_VERB => {
         TargetMass = value("KG").signed(), "Mass the contacts should be made for, kg",
-            Inspect => "List what else would follow the size of a body of this mass, kg: muscles, springs, actuators",
+            Inspect => "List what else changes with body size, for a body of this mass, kg: muscles, springs, actuators",
             Plot => "Draw each contact also as it is after scaling to this mass, kg";
         BodyScaleFile = read("FILE").under_if(is(&[Rescale]), CHANGES_GROUP).under_if(is(&[Transfer]), SCALED_GROUP).rare_if(!is(&[Transfer])),
             "With `from`: the ScaleSet that the Scale Tool applied",
@@ -114,7 +114,7 @@ pub(super) fn entry_of(field: Field<'_>, verb: Verb) -> Option<Entry> {
         Pad = value("METRES").signed(), "How far below the lowest bone point the sole is, m: bones have no skin";
         GeometryDir = folder().rare_if(is(&[Add])), "A folder with the bones' meshes, beside that of the model and its Geometry",
             Plot => "Of feet: a folder with the bones' meshes, beside the model's own and its Geometry";
-        Mirror = choice(MirrorChoice::WORDS).rare(), "Give a reference that has one side only the other one too, mirrored in this axis";
+        Mirror = choice(MirrorChoice::WORDS).rare(), "If the reference has one side only: make the other side, too, mirrored in this axis";
         Class = choice(ClassChoice::WORDS), "Class of the new forces [default: the reference's]";
         BodyMap = values("BODY=BODY"), "A body of the reference, and the one that takes its spheres here; may be repeated";
         Replace = flag(), "Take the model's own foot contacts out first";
@@ -173,7 +173,7 @@ pub(super) fn entry_of(field: Field<'_>, verb: Verb) -> Option<Entry> {
         CompareSpheres = value("N").rare(), "With `compare`: the spheres that share OTHER's weight [default: as found on one limb]";
         FootMass = value("KG").rare(), "Let a foot of this mass fall in the place of the body, kg: it is the foot that strikes the ground";
         PlatesDelay = value("S").signed().under_if(is(&[Fit]), RECORDING_GROUP).rare(),
-            "The plates are late by this time, s: what they measured counts so much earlier";
+            "Delay of the plates, s: their data are moved earlier by this time";
         LowPass = value("HZ").under_if(is(&[Fit]), RECORDING_GROUP),
             "Smooth the coordinates first: zero-lag Butterworth filter of 4th order, cutoff in Hz (6 is usual for walking)";
         Belt = value("M/S").signed().under_if(is(&[Fit]), RECORDING_GROUP),
@@ -297,7 +297,7 @@ pub(super) fn entry_of(field: Field<'_>, verb: Verb) -> Option<Entry> {
         ReferenceMass = value("KG").signed(), "Mass its contacts are made for, kg [default: its note, else its bodies]";
         ReferenceSpheres = value("N").rare(), "Its spheres that share the body weight [default: as found per limb]";
         ReferenceGravity = value("G").rare(),
-            "Its gravity, m/s2 [default: its note's, else its own]: said, contacts are scaled from it to `target_gravity`";
+            "Its gravity, m/s2 [default: its note's, else its own]: if given, contacts are scaled from it to `target_gravity`";
         ReferenceSelect = values("GLOB").rare(), "Only its forces with such a name; may be repeated";
         ReferenceSphere = value("NAME").rare(), "Take contact and isometric radius of this sphere for all";
     }

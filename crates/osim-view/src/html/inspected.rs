@@ -150,7 +150,7 @@ fn table_of_factors(inspected: &Inspection) -> Markup {
             }
         }
     };
-    let caption = "How bodies were scaled against the generic model; ? where nothing says.";
+    let caption = "Scale factors of bodies, compared with the generic model; ? if not known.";
     table("Factors of bodies", caption, &["body", "x", "y", "z", " from"], &rows)
 }
 

@@ -140,7 +140,7 @@ impl PageCounts {
                     div.plot { (maud::PreEscaped(svg)) }
                     figcaption {
                         "x̂ = x/R of the sphere that sinks in most under the body weight on one limb, by the Hertz law, which \
-                         holds up to " (limit) ". Each curve has an order of its own, from the smallest value to the largest"
+                         holds up to " (limit) ". Each curve is sorted by itself, from the smallest value to the largest"
                         @if self.inspected > self.now.len() { "; " (counted(self.inspected - self.now.len(), "model")) " without a known x̂ left out" }
                         @if above > 0 { "; " (counted(above, "value")) " above 1 drawn at 1" }
                         "."
@@ -148,7 +148,7 @@ impl PageCounts {
                             " Where the curves before and after are one, scaling kept x̂."
                         }
                         @if !self.not_scaled.is_empty() {
-                            " Under the new weight: the old contacts, had they not been changed."
+                            " Under the new weight: the old contacts, unchanged."
                         }
                     }
                 }

@@ -190,8 +190,8 @@ impl UnknownFactors {
                 body_scale_hint("; say the factors with ", &[body])
             ],
             Self::NoSource { body } => phrase![
-                "how large body {body} is against the reference's is not in the files (no mesh of the same bone, and \
-                no joint of the same name 20 mm or more from its origin){}";
+                "the size of body {body} compared with the reference is not in the files (no mesh of the same bone, \
+                and no joint of the same name 20 mm or more from its origin){}";
                 body_scale_hint(": say it with ", &[body])
             ],
             Self::OtherReference { body, joint, apart_m } => phrase![

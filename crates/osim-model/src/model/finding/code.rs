@@ -169,7 +169,7 @@ impl VerdictTopic {
     /// The topic as a question to the reader.
     pub const fn as_question(self) -> &'static str {
         match self {
-            Self::Floor => "Is the floor a floor?",
+            Self::Floor => "Is the floor level and fixed?",
             Self::Standing => "Does it stand?",
             Self::Mass => "Do the contacts fit the mass?",
             Self::Sides => "Do left and right agree?",

@@ -113,9 +113,9 @@ const QUESTION_ERRORS: &[ErrorCode] = codes! {
         "open the model in OpenSim, save it as one file, change that";
     "parameters-in-defaults": "a force has no ContactParameters of its own; those in <defaults> may serve other forces, too",
         "write a contact_parameters set into the force";
-    "implausible-mass": "a mass is about 1000 times what the bodies of the model weigh together, or the 1000th part of it (within 15 %), or outside 1 mg to 200 t; or, in a table, 10 or 1000 times above or below the masses of all other rows: it may be in g or tonnes, or have a figure too many or too few",
+    "implausible-mass": "a mass is about 1000 times what the bodies of the model weigh together, or the 1000th part of it (within 15 %), or outside 1 mg to 200 t; or, in a table, 10 or 1000 times above or below the masses of all other rows: it may be in g or tonnes, or have a digit too many or too few",
         "write it in kg; if it is correct, confirm it with `yes=implausible-mass`";
-    "mass-in-pounds": "a mass is 2.2 times what the bodies of the model weigh together, or the 2.2nd part of it (within 1 %); or, in a table of at least four rows, about 2.2 times above or below the masses of all other rows: one of them may be in lb",
+    "mass-in-pounds": "a mass is 2.2 times what the bodies of the model weigh together, or 1/2.2 of it (within 1 %); or, in a table of at least four rows, about 2.2 times above or below the masses of all other rows: one of them may be in lb",
         "write it in kg; if it is correct, confirm it with `yes=mass-in-pounds`";
     "against-note": "one `contacts_mass` was given for several models, and the note of this one says another mass: the others are done",
         "do this model in a call of its own, or give each model its mass in a table (`batch`); if it is correct, confirm it with `yes=against-note`";
@@ -157,11 +157,11 @@ const QUESTION_ERRORS: &[ErrorCode] = codes! {
 };
 
 const REQUEST_ERRORS: &[ErrorCode] = codes! {
-    "refused": "the request makes no sense for this model; the message says why (no force is left by `select`, say)",
+    "refused": "the request makes no sense for this model; the message says why (for example, no force is left by `select`)",
         "as the message says";
     "out-of-range": "a quantity that follows from the request is outside the domain of the equations",
         "check the masses and radii you gave";
-    "drop-test": "the body cannot be followed: a contact so stiff or so dissipative that the integration does not get through",
+    "drop-test": "the fall cannot be computed: a contact is so stiff or so dissipative that the integration fails",
         "a shorter `duration`, or check the numbers with inspect";
     "motion": "the motion, the plates or the ExternalLoads: the message says what is missing, with the line in the file",
         "as the message says; see docs/motion.md";

@@ -82,11 +82,11 @@ pub(super) const ALL: &[Trap] = traps! {
         "it is what makes constant_contact_force comparable between spheres. A sphere that does not touch carries force too, and more of it with a larger value";
     "transition_width" ["dx_hat"]
         "it is in radii, and half of it lies above the ground: there the sphere carries force already";
-    "force_just_touching_n" [] "it is not 0 for a smoothed force: that is the price of smoothness";
+    "force_just_touching_n" [] "it is not 0 for a smoothed force: smoothing always gives some force before contact";
     "touching_share" [] "a share of a tenth is what the paper starts from; large shares let spheres float";
     "load_per_sphere_n" ["F/n"] "the load is that on all spheres together, and n counts those that share it";
     "relative_indentation" []
-        "it is an input and a result: asked for as 0.16 it is at the end of the Hertz law, not in its middle";
+        "it is an input and a result: if you ask for 0.16, it is at the limit of the Hertz law";
     "indentation_m" ["x", "indentation"] "it cannot be compared between sizes: divide by the radius";
     "contact_patch_diameter_m" []
         "it is the diameter of the flattened patch, not that of the sphere's cut with the ground, which is 1.41 times as large for a small indentation";

@@ -55,7 +55,9 @@ impl Column {
             Self::Class => "class: of the contact forces",
             Self::Stiffness => "E1*: OpenSim's stiffness, N/m2",
             Self::Radius => "R: radius of the spheres, m",
-            Self::Indentation => "x/R: deepest indentation at rest over the radius, by the law of the class",
+            Self::Indentation => {
+                "x/R: deepest indentation at rest over the radius, by the force law of that class"
+            }
             Self::Restitution => "c_r: lowest coefficient of restitution",
         }
     }

@@ -62,7 +62,7 @@ pub(super) fn doubt_in_words(doubt: &Doubt) -> String {
             parameter = parameter.in_words()
         ),
         Doubt::NoResiduals => {
-            "nothing is left over, as in calculated data: how sure the values are is not known".to_owned()
+            "no residual is left, as in calculated data: the uncertainty of the values is unknown".to_owned()
         }
         _ => doubt.code().to_owned(),
     }
