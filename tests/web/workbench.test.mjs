@@ -202,7 +202,7 @@ inChromium("what the view shows is in words, too: radii before and after, forces
   await user.field("Target mass (kg)").fill("496");
   await user.settled();
   await user.page.getByText("The same as text").click();
-  const table = user.page.getByRole("group", { name: "Contact spheres in words" }).getByRole("table");
+  const table = user.page.getByRole("group", { name: "Contact spheres as text" }).getByRole("table");
   // The table is filled after it is opened, and `all` does not wait.
   await table.getByRole("cell").first().waitFor();
   const rows = await table.getByRole("row").filter({ has: user.page.getByRole("cell") }).all();

@@ -132,7 +132,7 @@ export class RecordingView {
         plates && { kind: "old", of: plates }, { kind: after ? "before" : "new", of: model }, after && { kind: "new", of: after },
       ];
       const kinds = `${plates ? ", plates dashed" : ""}${after ? ", as recorded thin" : ""}`;
-      const about = `${name}: upward force in body weights${kinds}; in words below`;
+      const about = `${name}: upward force in body weights${kinds}; as text below`;
       const drawn = all.flatMap((curve) => (curve ? [{ kind: curve.kind, values: upward(curve.of) }] : []));
       curves.show(drawn, `${name}, body weights${kinds}`, about, times[0] ?? 0, times[times.length - 1] ?? 0);
       return curves;

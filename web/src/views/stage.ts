@@ -120,7 +120,7 @@ export class StageView {
     this.#stage?.unpose();
     this.#stage?.show({ now, after, standing: this.#standing });
     setText(this.#clicked, "");
-    setAttribute(this.#canvas, "aria-label", `${now.spheres.length} contact spheres under the body, which can be turned; in words below`);
+    setAttribute(this.#canvas, "aria-label", `${now.spheres.length} contact spheres under the body, which can be turned; as text below`);
     setText(this.#remark, poseRemark(now, this.#standing));
     if (this.#inWords.open) this.#words.replaceChildren(describeScene(now, after));
   }
@@ -207,7 +207,7 @@ function describeScene(now: Scene, after: Scene | undefined): HTMLElement {
   const heads = ["sphere", "body", "radius (mm)", "share of body weight", "x/R at rest"].map((text) => el("th", { scope: "col" }, text));
   const caption = el("caption", {}, "Contact spheres as they are drawn, and what each carries where the body stands on all of them.");
   const table = el("table", {}, caption, el("thead", {}, el("tr", {}, ...heads)), el("tbody", {}, ...rows));
-  return el("div", { class: "wide", role: "group", "aria-label": "Contact spheres in words", tabindex: 0 }, table);
+  return el("div", { class: "wide", role: "group", "aria-label": "Contact spheres as text", tabindex: 0 }, table);
 }
 
 function describeSphere(sphere: PlacedSphere, before: PlacedSphere | undefined): string {
