@@ -16,7 +16,8 @@ use crate::prepared_change;
 
 /// The largest number of sets of smoothing values that a remark lists.
 const NUMBERS_LISTED: usize = 3;
-const FRICTION_COEFFICIENTS: [Property; 3] =
+/// The parameters of smoothing, in the order in which remarks list them.
+const SMOOTHING_PARAMETERS: [Property; 3] =
     [Property::ConstantContactForce, Property::HertzSmoothing, Property::HuntCrossleySmoothing];
 
 /// Remarks on the smoothing values of new forces and on their effects. `given` says that the caller gave all these values.
@@ -65,7 +66,7 @@ fn smoothing_values(object: &ObjectChange) -> Option<[f64; 3]> {
     let value = |wanted: Property| {
         object.parameters.iter().find(|(property, _)| *property == wanted).map(|(_, value)| *value)
     };
-    let [force, hertz, hunt_crossley] = FRICTION_COEFFICIENTS.map(value);
+    let [force, hertz, hunt_crossley] = SMOOTHING_PARAMETERS.map(value);
     (object.class == ForceKind::SmoothSphereHalfSpace.as_str()).then_some([force?, hertz?, hunt_crossley?])
 }
 
@@ -73,7 +74,7 @@ fn smoothing_sentence(values: &[f64; 3], count: usize) -> Phrase {
     let one = |(property, value): (Property, &f64)| {
         format!("{} {} {}", property.name(), readable(*value), property.unit())
     };
-    let all: Vec<String> = FRICTION_COEFFICIENTS.into_iter().zip(values).map(one).collect();
+    let all: Vec<String> = SMOOTHING_PARAMETERS.into_iter().zip(values).map(one).collect();
     let forces = if count == 1 { "force" } else { "forces" };
     format!("smoothing of {count} {forces}: {}", all.join(", ")).into()
 }

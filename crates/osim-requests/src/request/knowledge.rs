@@ -35,19 +35,22 @@ fields! {
 
 /// Three paragraphs about Fig. 1: the reason why it is not drawn, the data needed to draw it, and the way to make its models.
 pub fn fig1() -> [Phrase; 3] {
-    [WHY_FIG_1_IS_NOT_DRAWN, NEEDS_OF_FIG_5, MODELS_OF_FIG_5].map(Phrase::template)
+    [WHY_FIG_1_IS_NOT_DRAWN, NEEDS_OF_FIG_1, MODELS_OF_FIG_1].map(Phrase::template)
 }
 
 /// The refusal to draw Fig. 1, with the reason.
 pub fn no_fig1() -> Phrase {
-    Phrase::joined([WHY_FIG_1_IS_NOT_DRAWN, MODELS_OF_FIG_5].map(Phrase::template), " ").unwrap_or_default()
+    Phrase::joined([WHY_FIG_1_IS_NOT_DRAWN, MODELS_OF_FIG_1].map(Phrase::template), " ").unwrap_or_default()
 }
 
+/// Why the program does not draw Fig. 1 of the paper.
 const WHY_FIG_1_IS_NOT_DRAWN: &str =
     "Fig. 1 is not drawn: its points are simulated gaits of a bird with muscles, and no equation gives them.";
 
-const NEEDS_OF_FIG_5: &str = "It shows the cost of transport and the computing time over the stiffness E1* and the dissipation. To make it, you need \
+/// What Fig. 1 of the paper shows, and which programs and models it needs.
+const NEEDS_OF_FIG_1: &str = "It shows the cost of transport and the computing time over the stiffness E1* and the dissipation. To make it, you need \
                      OpenSim Moco 4.5, and the bird model with its code: doi:10.5281/zenodo.20730121.";
 
-const MODELS_OF_FIG_5: &str =
+/// How to make the models for Fig. 1 of the paper.
+const MODELS_OF_FIG_1: &str =
     "This program makes the models for it: `sweep MODEL grid=stiffness=x0.1..x10/9` (docs/sweep.md).";
