@@ -149,6 +149,7 @@ pub(crate) struct Scale {
 }
 
 impl Scale {
+    /// A coordinate from `low` to `high`, with ticks at these positions.
     pub(crate) fn new((low, high): (f64, f64), ticks: Vec<f64>) -> Self {
         Self { coord: (low..high).into(), ticks }
     }

@@ -105,6 +105,7 @@ fn rounded_to_thousandth(mm: f64) -> f64 {
 /// Joins consecutive lines with the same colour and width to one path. The library draws each dash as an element, and these
 /// elements would be most of the document.
 fn join_polylines(body: &str) -> String {
+    /// The text before the points of a polyline in SVG.
     const POINTS_ATTRIBUTE: &str = " points=\"";
     let mut out = String::with_capacity(body.len());
     let mut run: (&str, Vec<&str>) = ("", Vec::new());
@@ -131,6 +132,7 @@ fn join_polylines(body: &str) -> String {
     out
 }
 
+/// Writes consecutive polylines of one look as one path.
 fn write_run(out: &mut String, (look, lines): &(&str, Vec<&str>)) {
     match lines.as_slice() {
         [] => {}
@@ -153,6 +155,7 @@ fn escaped(text: &str) -> String {
     out
 }
 
+/// The letter; `None` for a letter that XML does not allow.
 fn allowed_in_xml(letter: char) -> Option<char> {
     let control = letter < ' ' && !matches!(letter, '\n' | '\t');
     (!control && !matches!(letter, '\u{fffe}' | '\u{ffff}')).then_some(letter)
@@ -165,7 +168,9 @@ pub(crate) fn text_allowed_in_xml(text: &str) -> String {
 
 // A document with its title above, into which the rest is drawn.
 
+/// Room between the edge of a figure and its content, pt.
 pub(crate) const MARGIN_PT: f64 = 4.0;
+/// Distance between two lines of a title, pt.
 const TITLE_LINE_PT: f64 = 9.6;
 /// Distance below the last line of a title.
 const TITLE_GAP_PT: f64 = 3.4;
@@ -177,6 +182,7 @@ pub(crate) type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 pub(crate) struct Title(Vec<String>);
 
 impl Title {
+    /// The lines of `title` on a figure that is `width_pt` wide.
     pub(crate) fn new(title: &str, width_pt: f64) -> Self {
         Self(lines(&text_allowed_in_xml(title), TITLE_PT, width_pt - 2.0 * MARGIN_PT))
     }

@@ -110,6 +110,7 @@ impl Drawing {
         self.limit(limits, "vertical", |panel| &mut panel.y)
     }
 
+    /// Gives the axis that `axis` takes of each panel these limits; an error if the panels have axes of different quantities.
     fn limit(
         &mut self,
         limits: (f64, f64),
@@ -138,6 +139,7 @@ impl Drawing {
 }
 
 impl Datum {
+    /// A row about the element `name` of a panel, without values yet.
     fn new(kind: &'static str, panel: &str, name: &str, (x_axis, y_axis): (&str, &str)) -> Self {
         Self {
             panel: panel.to_owned(),
@@ -156,6 +158,7 @@ impl Datum {
         Self { x: Some(x), y: Some(y), ..self }
     }
 
+    /// The row with a value, and the name of this value.
     fn with(self, value_name: &str, value: Option<f64>) -> Self {
         Self { value_name: value_name.to_owned(), value, ..self }
     }

@@ -183,6 +183,7 @@ impl Figure {
 
 /// Number of ticks along a horizontal axis, roughly.
 const X_TICK_COUNT: usize = 7;
+/// Number of ticks along a vertical axis, roughly.
 const Y_TICK_COUNT: usize = 6;
 
 /// The ends of a panel's axes as positions (logarithms on a logarithmic axis), and their ticks.
@@ -196,6 +197,7 @@ pub(crate) struct Frame<'p> {
 }
 
 impl<'p> Frame<'p> {
+    /// The ends and the ticks of the axes of `panel`.
     pub(crate) fn of(panel: &'p Panel) -> Self {
         let x = panel.x.span(panel.points().map(|(_, (x, _))| x), false);
         // The vertical axis covers what the limits of the horizontal one leave.

@@ -12,10 +12,15 @@ use crate::panels_svg::{AXIS_NAME_DISTANCE_PT, TICK_LABELS_HEIGHT_PT, TICK_LENGT
 use crate::style::{INK, TEXT_PT, stroke, text, units};
 use crate::{PlotError, Point, Width};
 
+/// Height of a heat map between its axes, pt.
 const PLOT_HEIGHT_PT: f64 = 140.0;
+/// Width of the colour bar, pt.
 const COLOUR_BAR_WIDTH_PT: f64 = 9.0;
+/// Distance between a heat map and its colour bar, pt.
 const COLOUR_BAR_GAP_PT: f64 = 9.0;
+/// Room on the right of the figure, pt.
 const RIGHT_MARGIN_PT: f64 = 6.0;
+/// Number of rectangles that make the colour bar, each of one colour.
 const COLOUR_BAR_SLICES: u32 = 64;
 /// Number of ticks along an axis and along the colour bar, roughly.
 const TICKS_PER_AXIS: usize = 7;
@@ -111,6 +116,7 @@ struct HeatLayout {
 }
 
 impl HeatLayout {
+    /// The layout of a heat map in a figure that is `width_pt` wide.
     fn of(map: &HeatMap, width_pt: f64) -> Result<Self, PlotError> {
         let (x_edges, y_edges) = (cell_edges(&map.x, &map.x_axis)?, cell_edges(&map.y, &map.y_axis)?);
         let span = value_span(map)?;

@@ -12,10 +12,13 @@ use crate::figure::{Direction, Figure, Frame, Limit, Panel};
 use crate::style::{LIMIT, Look, SHADE_COLOUR, SHADE_OPACITY, TEXT_PT, float, stroke, text, units};
 use crate::text_width::{lines, width_with_reserve_pt};
 
+/// Height of a legend entry whose name has one line, pt.
 const ENTRY_ROW_PT: f64 = 10.0;
 /// Distance between lines of one name, pt.
 const NAME_LINE_PT: f64 = 8.2;
+/// Width of the sample (line, area or point) before a name in a legend, pt.
 pub(crate) const SAMPLE_PT: f64 = 18.0;
+/// Distance between a sample and its name in a legend, pt.
 const ENTRY_GAP_PT: f64 = 4.0;
 
 /// The sample of a legend entry: the line, area or point to the left of its name.
@@ -187,7 +190,9 @@ pub(crate) fn draw_cross(area: &DrawingArea<SVGBackend<'_>, Shift>, at: (i32, i3
 
 // The names of vertical limits, above a panel, in as many rows as keep them apart.
 
+/// Height of a row with names of vertical limits, pt.
 pub(crate) const LIMIT_ROW_PT: f64 = 8.5;
+/// Smallest distance between two names of limits in one row, pt.
 const LIMIT_GAP_PT: f64 = 4.0;
 
 /// A vertical limit, and the position of the middle of its name along the axis, in points.

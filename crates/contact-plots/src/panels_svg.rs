@@ -21,9 +21,11 @@ const PANEL_TITLE_PT: f64 = 13.0;
 pub(crate) const TICK_LABELS_HEIGHT_PT: f64 = 22.5;
 /// Distance from the axis label beside a panel to its tick labels, pt.
 pub(crate) const AXIS_NAME_DISTANCE_PT: f64 = 10.0;
+/// Length of a tick, pt.
 pub(crate) const TICK_LENGTH_PT: f64 = 2.2;
 /// Room on the right for half of the last tick label, pt.
 const RIGHT_MARGIN_PT: f64 = 5.0;
+/// Distance between two panels, pt.
 const PANEL_GAP_PT: f64 = 8.0;
 /// The smallest width of a plot for panels side by side, pt; narrower panels are placed below each other.
 const SIDE_BY_SIDE_PT: f64 = 90.0;
@@ -78,6 +80,7 @@ struct Layout {
 }
 
 impl Layout {
+    /// The layout of `figure` in this width, pt.
     fn of(figure: &Figure, width: f64) -> Self {
         let frames: Vec<Frame<'_>> = figure.panels.iter().map(Frame::of).collect();
         let room = width - 2.0 * MARGIN_PT;

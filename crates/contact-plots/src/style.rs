@@ -16,10 +16,13 @@ pub(crate) const TITLE_PT: f64 = 8.0;
 /// Linux.
 pub(crate) const FONT_FAMILIES: &str = "Arial, Helvetica, 'Liberation Sans', Arimo, sans-serif";
 
+/// The colour of axes and texts.
 pub(crate) const INK: RGBColor = RGBColor(0x22, 0x22, 0x22);
+/// The colour of the lines at limits.
 pub(crate) const LIMIT: RGBColor = RGBColor(0x66, 0x66, 0x66);
 /// The colour of a shaded area.
 pub(crate) const SHADE_COLOUR: RGBColor = RGBColor(0xD5, 0x5E, 0x00);
+/// Opacity of a shaded area, from 0 to 1.
 pub(crate) const SHADE_OPACITY: f64 = 0.28;
 
 /// Converts points to drawing units.
@@ -106,6 +109,7 @@ impl Look {
     /// Number of series that can be distinguished.
     pub const MOST_SERIES: usize = Self::SERIES.len();
 
+    /// A look with this colour (red, green, blue), dash and width.
     const fn of(colour: (u8, u8, u8), dash: Dash, width_pt: f64) -> Self {
         Self { colour, dash, width_pt }
     }

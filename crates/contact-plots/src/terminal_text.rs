@@ -86,22 +86,26 @@ fn line_of_labels(labels: &[(usize, String)], margin: usize, columns: usize) -> 
     line
 }
 
-/// Number of dots in a letter, from left to right and from top to bottom.
+/// Number of dots in a Braille letter from left to right.
 const DOTS_ACROSS: usize = 2;
+/// Number of dots in a Braille letter from top to bottom.
 const DOTS_DOWN: usize = 4;
 /// The bit of each dot in a Braille letter, row by row, in Unicode's numbering.
 const DOT_BITS: [[u8; DOTS_ACROSS]; DOTS_DOWN] = [[0x01, 0x08], [0x02, 0x10], [0x04, 0x20], [0x40, 0x80]];
 
+/// A picture of dots for a terminal: each Braille letter has two dots across and four down.
 struct BrailleDots {
     columns: usize,
     letters: Vec<u8>,
 }
 
 impl BrailleDots {
+    /// A picture without dots, of this many letters.
     fn new(columns: usize, rows: usize) -> Self {
         Self { columns, letters: vec![0; columns * rows] }
     }
 
+    /// Draws a line between two points, in dots.
     fn draw_line(&mut self, from: Point, to: Point) {
         let (dx, dy) = (to.0 - from.0, to.1 - from.1);
         let steps = rounded_index(dx.abs().max(dy.abs())).max(1);

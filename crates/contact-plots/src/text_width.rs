@@ -11,6 +11,7 @@ use ttf_parser::Face;
 const WIDEST_LETTER: f64 = 1.0;
 /// Factor by which the letters of a viewer without Arial may be wider.
 const OTHER_FONT_FACTOR: f64 = 1.06;
+/// The letter at the end of a text that was cut.
 const ELLIPSIS: char = '…';
 /// A word too long for a line is broken after one of these characters, which separate the parts of file names.
 const LETTERS_TO_BREAK_AFTER: [char; 6] = ['_', '-', '/', '\\', '.', ','];

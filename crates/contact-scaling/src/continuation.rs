@@ -77,6 +77,7 @@ pub fn steps(first: f64, last: f64, dissipation_ratio: f64, count: u32) -> Resul
     (0..count).map(|index| step_at(first / last, last, ratio, index, count)).collect()
 }
 
+/// Step number `index` of `count` steps; its factors are without unit, and those of the last step are 1.
 fn step_at(
     ratio_of_stiffness: f64,
     last: f64,

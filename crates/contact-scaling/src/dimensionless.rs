@@ -29,6 +29,7 @@ pub struct DimensionlessContact {
     smoothing: Option<DimensionlessSmoothing>,
 }
 
+/// The smoothing parameters of a contact without dimension: √cf / R, bd R and bv √(g R).
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct DimensionlessSmoothing {
     constant_indentation: f64,

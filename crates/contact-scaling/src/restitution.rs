@@ -5,7 +5,9 @@
 
 use crate::error::{DomainError, require_non_negative, require_positive, require_range};
 
+/// The domain of a restitution that may be 0, for error messages.
 const EXPECTED_ZERO_TO_ONE: &str = "a number from 0 to 1";
+/// The domain of a restitution that may not be 0, for error messages.
 const EXPECTED_RESTITUTION: &str = "a number above 0, at most 1";
 
 /// Restitution by the approximation, c_r = 1 − α ẋ⁻, without unit.

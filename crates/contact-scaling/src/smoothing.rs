@@ -22,6 +22,7 @@ impl SmoothingValues {
         Self { constant_contact_force: 1e-5, hertz_smoothing: 300.0, hunt_crossley_smoothing: 50.0 };
 }
 
+/// The domain of a threshold t on a smoothed step, for error messages.
 const EXPECTED_BELOW_HALF: &str = "a number between 0 and 0.5";
 
 /// atanh(1 − 2 t); an error with the `expected` range unless `ok`.

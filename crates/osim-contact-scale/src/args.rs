@@ -20,12 +20,16 @@ macro_rules! equations {
     };
 }
 
+/// The name of the program on the command line.
 const PROGRAM_NAME: &str = env!("CARGO_PKG_NAME");
 
+/// How the program is called, in the help of a call without a verb.
 const USAGE: &str = concat!("osim-contact-scale [OPTIONS] [MODEL]...\n", "       osim-contact-scale <VERB>");
 
+/// The purpose of the program, in one line of the help.
 const ABOUT_PROGRAM: &str = "Makes the contact parameters of OpenSim models right at every body size";
 
+/// The text of the long help about a call without a verb.
 const DETAILS_OF_HELP: &str = "Rescales the contacts of MODEL from the mass they were made for to --target-mass; with a verb, does something else. \
                        MODEL alone is inspected.";
 

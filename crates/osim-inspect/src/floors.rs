@@ -5,6 +5,7 @@ use foldhash::{HashMap, HashMapExt, HashSet};
 use osim_model::feet::{ContactPlane, DefaultPose, Movements, STEEPEST_FLOOR_RAD};
 use osim_model::{DVec3, ForceId, Model, Orientation, Side, Sphere, SphereId};
 
+/// What is wrong with a plane under spheres, such as a slope, or that nothing is wrong.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum PlaneJudgement {
     /// Nothing is wrong: a level floor, a plane that need not be a floor, such as the net of a goal, or a plane whose tilt is not known.
@@ -19,6 +20,7 @@ pub(crate) enum PlaneJudgement {
     OnLimb,
 }
 
+/// A plane that moving spheres press on, and what is wrong with it.
 pub(crate) struct JudgedPlane {
     pub(crate) plane: ContactPlane,
     pub(crate) kind: PlaneJudgement,
@@ -28,6 +30,7 @@ pub(crate) struct JudgedPlane {
 pub(crate) struct Floors(Vec<JudgedPlane>);
 
 impl Floors {
+    /// Judges every plane that moving spheres of `model` press on.
     pub(crate) fn of(model: &Model) -> Self {
         let pose = DefaultPose::of(model);
         let planes = ContactPlane::all(model, &model.force_ids(), &pose);
@@ -53,6 +56,7 @@ impl Floors {
 /// Cosine of 45 degrees. Two directions whose angle has a larger cosine are taken for about the same.
 const COS_45_DEGREES: f64 = std::f64::consts::FRAC_1_SQRT_2;
 
+/// Judges the planes of a model by its joint trees at the default pose, and by which spheres have a floor.
 struct PlaneJudge<'m> {
     trees: PosedTrees<'m>,
     /// Spheres that press on a floor which is not too steep to stand on, or on a plane whose tilt is not known.
@@ -64,6 +68,7 @@ struct PlaneJudge<'m> {
 }
 
 impl<'m> PlaneJudge<'m> {
+    /// Finds which spheres and joint trees have a floor among `planes`.
     fn new(trees: PosedTrees<'m>, planes: &[ContactPlane]) -> Self {
         let is_floor =
             |plane: &&ContactPlane| !matches!(PlaneTilt::of(trees.model, plane), Some(PlaneTilt::Steep(_)));
@@ -76,6 +81,7 @@ impl<'m> PlaneJudge<'m> {
         Self { with_floor, trees_with_floor, has_limbs, trees }
     }
 
+    /// What is wrong with `plane`.
     fn judge_plane(&self, plane: &ContactPlane) -> PlaneJudgement {
         if !self.spheres_without_floor(spheres_bound_to(&self.trees, plane)).is_empty() {
             return PlaneJudgement::OnLimb;
@@ -87,6 +93,7 @@ impl<'m> PlaneJudge<'m> {
         }
     }
 
+    /// The given `spheres` without those that press on a floor.
     fn spheres_without_floor(&self, mut spheres: Vec<SphereId>) -> Vec<SphereId> {
         spheres.retain(|sphere| !self.with_floor.contains(sphere));
         spheres
@@ -221,6 +228,7 @@ struct BodyTree {
 }
 
 impl<'m> PosedTrees<'m> {
+    /// The joint trees of `model` at its default pose.
     fn of(model: &'m Model, pose: &'m DefaultPose) -> Self {
         let movements = Movements::of(model);
         let mut trees: HashMap<String, BodyTree> = HashMap::new();
@@ -285,6 +293,7 @@ impl<'m> PosedTrees<'m> {
 }
 
 impl BodyTree {
+    /// Adds a body with its mass and origin to the tree.
     fn add(&mut self, mass_kg: f64, origin_m: DVec3, up: DVec3) {
         let height_m = origin_m.dot(up);
         let [low, high] = self.heights_m.unwrap_or([height_m; 2]);

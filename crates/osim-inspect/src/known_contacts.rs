@@ -14,9 +14,10 @@ use serde::{Deserialize, Serialize};
 
 use crate::sides::BothSides;
 
-/// Values whose relative difference is at most this are the same.
+/// Two values of contacts are equal if their relative difference is at most this.
 const EXACT_TOLERANCE: f64 = 1e-6;
-/// Values whose relative difference is at most this give the same findings. A radius that differs by 2 % changes other values by up to 6 %.
+/// Two values of contacts are similar, and give the same findings, if their relative difference is at most this. A radius that differs by
+/// 2 % changes other values by up to 6 %.
 const SIMILAR_TOLERANCE: f64 = 0.07;
 
 /// Published contacts that a model has: from [`KnownContacts::find`].
@@ -79,6 +80,7 @@ impl KnownContacts {
         Self::find_similar_entry(&contacts, count, mass_kg, with_severity, &likeness)?.severity(code)
     }
 
+    /// The entry of the table whose contacts these are, compared as `likeness` says, and the mass that they are made for.
     fn find_similar_entry(
         contacts: &[ContactOfSet],
         count: Option<f64>,
@@ -152,6 +154,7 @@ fn contacts_of_sets(model: &Model, forces: &[ForceId]) -> Option<Vec<ContactOfSe
     sets.map(|spheres| contact_of_set(model, spheres)).collect()
 }
 
+/// The contact of the `spheres` of one parameter set; their radii count with the mean of R².
 fn contact_of_set(model: &Model, spheres: &[LoadedSphere]) -> Option<ContactOfSet> {
     let LoadedSphere { contact, force, set, .. } = spheres.first()?;
     let force = model.force(*force)?;
@@ -186,6 +189,7 @@ struct ComparedNumbers {
 }
 
 impl ComparedNumbers {
+    /// All numbers of a contact, with the tolerance for equal contacts.
     const EXACT: Self = Self {
         tolerance: EXACT_TOLERANCE,
         stiffness: true,
@@ -217,6 +221,7 @@ impl ComparedNumbers {
         })
     }
 
+    /// Whether a value is the expected one within the tolerance.
     fn is_close(&self, value: f64, expected: f64) -> bool {
         (value - expected).abs() <= self.tolerance * expected.abs()
     }
@@ -317,6 +322,7 @@ struct KnownContactsEntry {
     severity: BTreeMap<String, String>,
 }
 
+/// The published parameters of one contact, in an entry of the table of known contacts.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct PublishedContact {

@@ -95,12 +95,13 @@ pub struct LoadSharing {
 }
 
 impl LoadSharing {
+    /// Finds the limbs of the body that the `chosen` forces belong to.
     pub fn of(model: &Model, chosen: &[ForceId]) -> Self {
         let forces = model.forces_of_same_body(chosen);
         Self { limbs: model.limbs(&forces), forces }
     }
 
-    /// For a model in which no force can be chosen; `why` is the reason.
+    /// The sharing of the load in a model in which no force can be chosen; `why` is the reason.
     pub(crate) fn unknown(why: Phrase) -> Self {
         Self { limbs: Limbs::Unknown(why), forces: Vec::new() }
     }

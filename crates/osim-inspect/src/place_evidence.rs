@@ -128,6 +128,7 @@ struct PublishedLayout {
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 struct PublishedPlace(String, f64, f64, f64);
 
+/// The centre of a contact sphere in the frame of its body, m.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct SphereCentre<'m> {
     body: &'m str,
@@ -173,6 +174,7 @@ struct LayoutCache {
 }
 
 impl LayoutCache {
+    /// The cache for the spheres in `list`; a new one if the spheres of the last call were at other places.
     fn of(model: &Model, list: &[SphereCentre<'_>]) -> Arc<Self> {
         let last = model.derived_from_bodies(|_| Mutex::new(Arc::<Self>::default()));
         let mut last = last.lock().unwrap_or_else(PoisonError::into_inner);
@@ -185,6 +187,7 @@ impl LayoutCache {
     }
 }
 
+/// The published layout that the centres in `list` have, and how the bones fit it.
 fn match_layout(list: Vec<SphereCentre<'_>>, bones: &BodyBones) -> Option<LayoutMatch> {
     let centres = DigestedCentres::from(list);
     let Some(layout) = published_layouts().iter().find(|layout| layout.has_places(&centres)) else {
@@ -228,6 +231,7 @@ fn find_mirrored_layout(model: &Model, bones: &BodyBones) -> Option<&'static str
     *LayoutCache::of(model, &list).mirrored.get_or_init(|| match_mirrored_layout(list, bones))
 }
 
+/// The title of the published layout whose mirror image the centres in `list` are.
 fn match_mirrored_layout(list: Vec<SphereCentre<'_>>, bones: &BodyBones) -> Option<&'static str> {
     let mirrored = list.iter().map(SphereCentre::mirrored).collect();
     if layout_with_centres(list, bones).is_some() {

@@ -34,6 +34,7 @@ pub struct Quantity {
 }
 
 impl Quantity {
+    /// A quantity without equation, limit and meaning.
     pub const fn new(name: &'static str, label: &'static str, unit: &'static str) -> Self {
         Self { name, label, unit, equation: "", limit: None, doc: "", column: "" }
     }
@@ -112,7 +113,9 @@ impl Quantity {
 
     // Quantities that several registers list.
 
+    /// Radius of a sphere.
     pub const RADIUS: Self = Self::new("radius_m", "radius", "m");
+    /// E* of sphere and plane together (A.3).
     pub const COMPOSITE_MODULUS: Self =
         Self::new("composite_modulus_n_m2", "composite modulus", "N/m2").by_equation("A.3");
     /// x̂ under body weight by the Hertz law.
@@ -130,13 +133,16 @@ impl Quantity {
     /// k̂ = k R n / F.
     pub const DIMENSIONLESS_STIFFNESS: Self =
         Self::new("dimensionless_stiffness", "dimensionless stiffness", "").by_equation("B.3");
+    /// Natural frequency of small oscillations (B.4).
     pub const NATURAL_FREQUENCY: Self =
         Self::new("natural_frequency_hz", "natural frequency", "Hz").by_equation("B.4");
+    /// Mean stress on the contact patch (15).
     pub const MEAN_CONTACT_STRESS: Self =
         Self::new("mean_contact_stress_n_m2", "mean contact stress", "N/m2").by_equation("15");
     /// Force of a smoothed sphere that just touches.
     pub const FORCE_JUST_TOUCHING: Self =
         Self::new("force_just_touching_n", "force just touching", "N").by_equation("C.9");
+    /// Speed just before an impact.
     pub const IMPACT_SPEED: Self = Self::new("impact_speed_m_s", "impact speed", "m/s");
     /// Restitution of the contact law, without approximation.
     pub const RESTITUTION_EXACT: Self = Self::new("restitution_exact", "restitution, exact", "");

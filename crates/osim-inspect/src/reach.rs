@@ -126,10 +126,11 @@ fn reach_towards_joint(
 
 // The bones of a foot: their meshes, their sizes, and their next joints.
 
-/// The ends of the bones of OpenSim's foot along x of their bodies, at factor 1, m: the least and the largest x of `r_foot.vtp`, and the
-/// largest of `r_bofoot.vtp`, in OpenSim's Geometry.
+/// The heel of OpenSim's foot: the least x of `r_foot.vtp` in OpenSim's Geometry at factor 1, m.
 const HEEL_OF_OPENSIM_FOOT_X_M: f64 = -0.0098;
+/// The front end of OpenSim's foot without toes: the largest x of `r_foot.vtp` in OpenSim's Geometry at factor 1, m.
 const TIP_OF_OPENSIM_FOOT_X_M: f64 = 0.183817;
+/// The tip of OpenSim's toes: the largest x of `r_bofoot.vtp` in OpenSim's Geometry at factor 1, m.
 const TIP_OF_OPENSIM_TOES_X_M: f64 = 0.076918;
 /// Place of the toe joint on the x axis of the foot in OpenSim's models, at factor 1, m.
 const TOES_BEGIN_X_M: f64 = 0.1788;
@@ -175,6 +176,7 @@ impl BodyBones {
         are_read.then(|| model.derived_from_bodies(Self::read))
     }
 
+    /// Reads the bones from bodies, meshes and joints of `model`.
     fn read(model: &Model) -> Self {
         let anatomy = Anatomy::bones_of(model);
         let mut farthest: HashMap<String, (f64, usize)> = HashMap::new();

@@ -10,8 +10,9 @@ use crate::{Figure, Inspection, LimbFigures, SphereFigures};
 const PAD_STIFFNESS: [f64; 2] = [3.0 * 4.24, 13.0 * 4.24];
 /// Stiffness of the heels of adult humans, N/m: 30 to 50 times the 27 kN/m of the paper.
 const HEEL_STIFFNESS_N_M: [f64; 2] = [30.0 * 27e3, 50.0 * 27e3];
-/// Share of the energy that an isolated heel pad loses, and that heels of living adults lose.
+/// Share of the energy that an isolated heel pad loses: the least and the largest that was measured.
 const ISOLATED_LOSS: [f64; 2] = [0.309, 0.482];
+/// Share of the energy that heels of living adults lose: the least and the largest that was measured.
 const LIVING_LOSS: [f64; 2] = [0.69, 0.79];
 /// Masses of adult humans, kg.
 const ADULT_KG: std::ops::RangeInclusive<f64> = 40.0..=150.0;
@@ -76,6 +77,7 @@ impl Inspection {
     }
 }
 
+/// The smallest and the largest of the values.
 fn range(values: impl Iterator<Item = f64>) -> Option<[f64; 2]> {
     values.fold(None, |range, value| {
         let [least, most] = range.unwrap_or([value, value]);

@@ -115,6 +115,7 @@ fn codes<S: Serializer>(codes: &[FindingCode], serializer: S) -> Result<S::Ok, S
     serializer.collect_seq(codes.iter().map(|code| code.as_str()))
 }
 
+/// A model with its inspection, from which its verdicts follow.
 struct InspectedModel<'k> {
     model: &'k Model,
     inspection: &'k Inspection,
@@ -131,6 +132,7 @@ impl InspectedModel<'_> {
         self.values_of_figure(figure).reduce(f64::min)
     }
 
+    /// The known values of a figure among the chosen spheres.
     fn values_of_figure(&self, figure: Figure) -> impl Iterator<Item = f64> {
         let spheres = self.inspection.figures.spheres();
         spheres.filter_map(move |sphere: &SphereFigures| sphere.value(figure))
@@ -158,6 +160,7 @@ pub(crate) fn answer_all(
     VerdictTopic::OF_EVERY_MODEL.into_iter().map(|on| judge_topic(on, &inspected, findings)).collect()
 }
 
+/// The verdict on one topic: its worst finding, or what is right.
 fn judge_topic(on: VerdictTopic, inspected: &InspectedModel<'_>, findings: &[FindingWithRemedy]) -> Verdict {
     let mut deciding: Vec<&FindingWithRemedy> =
         findings.iter().filter(|found| found.rule.verdict == Some(on)).collect();

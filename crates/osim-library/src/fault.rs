@@ -13,6 +13,7 @@ pub struct LibraryFault {
     pub cause: FaultCause,
 }
 
+/// What made an action with files fail: the call, the operating system, or another run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum FaultCause {
     /// The user's call asks for something that is refused.

@@ -25,6 +25,7 @@ pub struct MotionFiles {
     mode: WriteMode,
 }
 
+/// What messages call the files of a motion, in the order of `paths`.
 const NAMES_OF_OUTPUTS: [&str; 5] = [
     "the ground reactions",
     "their ExternalLoads",

@@ -100,6 +100,7 @@ impl ReportPage {
         Ok(Some(page))
     }
 
+    /// Adds the entry of the next model.
     pub fn add(&mut self, entry: Entry) {
         self.page.add(entry);
     }

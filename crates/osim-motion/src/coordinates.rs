@@ -18,6 +18,7 @@ pub enum CoordinateKind {
     Coupled,
 }
 
+/// A coordinate of a model, whose values a recording gives.
 #[derive(Debug, Clone)]
 pub struct ModelCoordinate {
     pub name: String,

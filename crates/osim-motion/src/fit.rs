@@ -10,7 +10,7 @@ use rmpfit::{MPConfig, MPFitter, MPPar, MPResult, MPSuccess};
 
 pub use crate::fit_trial::{FitTrial, FootForces};
 
-/// What is fitted, and its bounds.
+/// Which parameters of contacts are fitted to recordings, and their bounds.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FitBounds {
     pub stiffness: bool,
@@ -23,6 +23,7 @@ pub struct FitBounds {
     pub most_relative_indentation: Option<f64>,
 }
 
+/// Why contacts cannot be fitted to recordings.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum FitError {
     #[error("the plates measured no force under a foot during the recording: there is nothing to fit to")]
@@ -33,7 +34,7 @@ pub enum FitError {
     NotConverged,
 }
 
-/// A fitted number.
+/// A parameter of contacts that was fitted to recordings, with the range in which a fit is nearly as good.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FittedParameter {
     pub value: f64,
@@ -85,13 +86,13 @@ pub struct MotionFit {
     pub beside: usize,
 }
 
-/// The number of heights that the search tries first.
+/// The number of heights of the floor that the search for a fit tries first.
 const COUNT_OF_TRIED_HEIGHTS: usize = 48;
-/// Dissipations that the search tries with each height, s/m.
+/// The dissipations that the search for a fit tries with each height of the floor, s/m.
 const TRIED_DISSIPATIONS_S_M: [f64; 3] = [0.2, 1.0, 3.0];
-/// The largest stiffness factor of the search; the smallest is its inverse.
+/// The largest factor of the stiffness in the search for a fit; the smallest factor is its inverse.
 const LARGEST_STIFFNESS_FACTOR: f64 = 1e4;
-/// The largest dissipation of the search, s/m.
+/// The largest dissipation in the search for a fit, s/m.
 const MOST_DISSIPATION_S_M: f64 = 10.0;
 /// The largest height of the floor above the first touch of a sphere, if x/R has no bound, m.
 const MOST_RISE_WITHOUT_BOUND_M: f64 = 0.25;
@@ -100,22 +101,26 @@ const MOST_RISE_WITHOUT_BOUND_M: f64 = 0.25;
 const MOST_SHIFT_OF_SPHERES_M: f64 = 0.25;
 /// The penalty per radius of depth beyond the bound, for one sphere, in body weights.
 const PENALTY_BW_PER_RADIUS: f64 = 200.0;
-/// A fit is nearly as good as the best one if its error is at most this many times larger, or at most `NEARLY_BEST_BW` larger.
+/// A fit is nearly as good as the best one if its error is at most this many times larger.
 const NEARLY_BEST_FACTOR: f64 = 1.05;
+/// A fit is nearly as good as the best one if its error is larger by at most this, body weights.
 const NEARLY_BEST_BW: f64 = 0.005;
-/// In the search for the end of a range, the largest number of doublings of the step, before it is halved, and of halvings.
+/// The largest number of times that the step is doubled in the search for the end of a range of good fits.
 const MOST_DOUBLINGS: usize = 4;
+/// The number of times that the step is halved in the search for the end of a range of good fits.
 const MOST_HALVINGS: usize = 6;
-/// The first step of a height in this search, m.
+/// The first step of a height in the search for the end of a range of good fits, m.
 const HEIGHT_STEP_M: f64 = 0.002;
-/// The largest number of frames per foot, roughly, for this search.
+/// The largest number of frames per foot, roughly, in the search for ranges of good fits.
 const MOST_FRAMES_PER_FOOT: usize = 400;
 
-/// The places of the unknowns: the logarithm of the stiffness factor, the dissipation (not a number where each sphere keeps its own),
-/// the distance by which spheres move down, and then a height of the floor for each trial.
+/// Index of the logarithm of the stiffness factor among the unknowns of a fit.
 const INDEX_OF_STIFFNESS: usize = 0;
+/// Index of the dissipation among the unknowns of a fit; its value is not a number where each sphere keeps its own.
 const INDEX_OF_DISSIPATION: usize = 1;
+/// Index of the distance by which spheres move down among the unknowns of a fit.
 const INDEX_OF_SPHERES_DOWN: usize = 2;
+/// Index of the height of the floor in the first trial among the unknowns of a fit; the other trials follow.
 const FIRST_INDEX_OF_FLOORS: usize = 3;
 
 /// Calls `take` with contact force and measured force (body weights), foot by foot and frame by frame, for these unknowns.
@@ -144,6 +149,7 @@ fn loaded_depths(trials: &[FitTrial], vector: &[f64]) -> impl Iterator<Item = im
     frames.map(|spheres| spheres.map(|(x, radius_m)| x / radius_m))
 }
 
+/// The differences between model and plates for these unknowns.
 fn errors_of_fit(trials: &[FitTrial], vector: &[f64]) -> FitErrors {
     let (mut square, mut count) = (0.0, 0.0_f64);
     visit_forces(trials, vector, |force, measured| {
@@ -158,6 +164,7 @@ fn errors_of_fit(trials: &[FitTrial], vector: &[f64]) -> FitErrors {
     }
 }
 
+/// The least-squares problem of fitting contacts to trials.
 struct FitProblem<'t> {
     trials: &'t [FitTrial],
     bounds: FitBounds,
@@ -169,6 +176,7 @@ struct FitProblem<'t> {
 }
 
 impl<'t> FitProblem<'t> {
+    /// The problem of fitting `trials` within `bounds`.
     fn new(trials: &'t [FitTrial], bounds: &FitBounds) -> Result<Self, FitError> {
         let &FitBounds { stiffness, dissipation, height, spheres_move, .. } = bounds;
         let setting = |is_wanted: bool, (low, high): (f64, f64), step: f64| MPPar {
@@ -206,7 +214,7 @@ impl<'t> FitProblem<'t> {
         Ok((problem, vector, covariance))
     }
 
-    /// The best of some heights and dissipations, each with its best stiffness.
+    /// The first guess of a fit: the best of some heights of the floor and dissipations, each with its best stiffness.
     fn first_guess(&self) -> Result<Vec<f64>, FitError> {
         let FitBounds { stiffness, dissipation, height, spheres_move, .. } = self.bounds;
         let mut best: Option<(f64, Vec<f64>)> = None;
@@ -280,12 +288,13 @@ impl<'t> FitProblem<'t> {
         self.trials.iter().flat_map(|trial| &trial.feet).map(|foot| foot.measured_n.len()).sum()
     }
 
+    /// Root mean square of the differences between model and plates for these unknowns, body weights.
     fn rms_bw(&self, vector: &[f64]) -> f64 {
         let square: f64 = self.deviates(vector).iter().map(|one| one * one).sum();
         (square / self.frames().max(1) as f64).sqrt()
     }
 
-    /// The range of an unknown in which a fit of the others is nearly as good as the best one.
+    /// The range of one unknown of a fit in which the others can be fitted nearly as well as in the best fit.
     fn nearly_as_good(&mut self, best: &[f64], place: usize, step: f64) -> (f64, f64) {
         let rms_bw = self.rms_bw(best);
         let most_bw = (rms_bw * NEARLY_BEST_FACTOR).max(rms_bw + NEARLY_BEST_BW);
@@ -320,7 +329,7 @@ impl<'t> FitProblem<'t> {
         ends.into()
     }
 
-    /// Keeps an unknown at its value, or frees it.
+    /// Fixes an unknown of the fit at its value, or lets it vary again.
     fn fix_unknown(&mut self, place: usize, is_fixed: bool) {
         let one = &mut self.settings[place];
         (one.fixed, one.limited_low, one.limited_up) = (is_fixed, !is_fixed, !is_fixed);

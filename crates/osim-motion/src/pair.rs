@@ -6,6 +6,7 @@ use osim_model::{
     contact_of_pair,
 };
 
+/// The surface that a sphere can touch: a plane or another sphere.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum TouchedSurface {
     /// A plane; its index among all planes of the forces.
@@ -74,6 +75,7 @@ pub(crate) fn contact_pairs(
     Ok((pairs, planes))
 }
 
+/// Makes the contact pairs of two parameter sets of a force.
 struct PairBuilder<'m> {
     model: &'m Model,
     force: &'m Force,

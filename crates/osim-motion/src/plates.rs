@@ -70,6 +70,7 @@ impl Plate {
         Ok(plates)
     }
 
+    /// Reads the plate `name` from its three columns each of force, point and torque.
     fn new(
         table: &Table,
         name: &str,
@@ -138,6 +139,7 @@ impl Wrench {
 
 // OpenSim's `ExternalLoads`: which columns act on which body.
 
+/// The content of an `ExternalLoads` file, which says where the force plates' columns are.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ExternalLoads {
     pub loads: Vec<ExternalLoad>,
@@ -191,6 +193,7 @@ impl ExternalLoads {
 }
 
 impl ExternalLoad {
+    /// Reads an element `<ExternalForce>`.
     fn read(document: &Document, force: ElementId) -> Self {
         let tree = document.tree();
         let get = |tag| child_text(document, force, tag);

@@ -17,6 +17,7 @@ const MOST_COUPLER_PASSES: usize = 8;
 /// Largest angle, rad, that is plausible in radians; if a file has larger angles, its unit is in doubt.
 const LARGEST_PLAUSIBLE_ANGLE_RAD: f64 = std::f64::consts::TAU;
 
+/// The options with which a motion file is read.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct RecordingOptions {
     /// The unit of angles; `None`: the unit that the file declares.

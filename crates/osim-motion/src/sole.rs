@@ -68,6 +68,7 @@ impl PressureOnSole {
             .collect()
     }
 
+    /// The centres of pressure of one foot; `across` points from the left to the right.
     fn of(
         states: &ContactStates,
         (pose, across): (&DefaultPose, DVec3),

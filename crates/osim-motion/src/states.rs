@@ -45,6 +45,7 @@ impl Belt {
         (0..time_s.len()).map(step).collect()
     }
 
+    /// The velocity of the belt in a frame, m/s.
     pub(crate) fn at(&self, frame: usize) -> DVec3 {
         match self {
             Self::Constant(velocity) => *velocity,
@@ -66,6 +67,7 @@ impl From<[f64; 3]> for Belt {
     }
 }
 
+/// Why the contacts of a model along a motion cannot be computed.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum StatesError {
     #[error(transparent)]
@@ -105,6 +107,7 @@ pub struct ContactState {
 }
 
 impl ContactState {
+    /// How fast the sphere slips along the surface, m/s.
     pub fn slip_speed_m_s(&self) -> f64 {
         self.slip_m_s.length()
     }
@@ -193,15 +196,18 @@ impl ContactStates {
         Ok(Self { time_s: recording.time_s.clone(), pairs, planes, loops, states })
     }
 
+    /// The number of frames.
     pub fn frames(&self) -> usize {
         self.time_s.len()
     }
 
+    /// The states of all contact pairs in one frame.
     pub fn frame(&self, frame: usize) -> &[ContactState] {
         let count = self.pairs.len();
         self.states.get(frame * count..(frame + 1) * count).unwrap_or_default()
     }
 
+    /// The states of one contact pair, frame by frame.
     pub fn pair(&self, pair: usize) -> impl Iterator<Item = &ContactState> {
         self.states.iter().skip(pair).step_by(self.pairs.len().max(1))
     }
@@ -230,6 +236,7 @@ struct Surface {
     shape: SurfaceShape,
 }
 
+/// The shape of a surface that a sphere touches.
 #[derive(Clone, Copy)]
 enum SurfaceShape {
     /// A plane with this unit normal.
@@ -264,6 +271,7 @@ impl Surface {
         Ok(Self { body, point_m, shape: SurfaceShape::Sphere(sphere.round_radius_m()?) })
     }
 
+    /// The surface in one frame, as it faces a sphere with this centre, m.
     fn at(&self, places: &[MovingPlacement], centre_m: DVec3) -> SurfaceInFrame {
         let ground = MovingPlacement::at_rest(Placement::IDENTITY);
         let body_motion = self.body.and_then(|body| places.get(body)).copied().unwrap_or(ground);

@@ -73,6 +73,7 @@ pub struct FootSummary {
     pub comparison: Option<Comparison>,
 }
 
+/// Summary of one stance of a foot.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StanceSummary {
     pub stance: StancePhase,
@@ -107,6 +108,7 @@ pub struct Summary {
 }
 
 impl Summary {
+    /// Summarises the contacts of a model along a recording, beside the `measured` forces.
     pub fn of(
         states: &ContactStates,
         feet: &[Foot],
@@ -171,6 +173,7 @@ fn double_support(time_s: &[f64], feet: &[FootSummary], spans: &[(f64, f64)]) ->
 }
 
 impl FootSummary {
+    /// Summarises one foot, beside the forces of its plates.
     fn of(
         states: &ContactStates,
         foot: &Foot,
@@ -247,6 +250,7 @@ fn comparison_plane(
 }
 
 impl StanceSummary {
+    /// Summarises one stance; `forces` are along the normal, N.
     fn of(states: &ContactStates, stance: &StancePhase, forces: &[f64]) -> Self {
         let times = states.time_s.get(stance.first..=stance.last).unwrap_or_default();
         let forces = forces.get(stance.first..=stance.last).unwrap_or_default();
@@ -263,6 +267,7 @@ impl StanceSummary {
 }
 
 impl SphereSummary {
+    /// Summarises the sphere of one contact pair.
     fn of(states: &ContactStates, pair: usize) -> Self {
         let (radius_m, dissipation) =
             states.pairs.get(pair).map_or((1.0, 0.0), |pair| (pair.radius_m, pair.law.dissipation()));

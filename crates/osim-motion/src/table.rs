@@ -28,6 +28,7 @@ pub struct Table {
     pub lines: Vec<usize>,
 }
 
+/// A column of a motion file.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Column {
     pub name: String,
@@ -61,6 +62,7 @@ impl Table {
         self.columns.iter_mut().for_each(|column| column.values = column.values[first..end].to_vec());
     }
 
+    /// The number of rows.
     pub fn rows(&self) -> usize {
         self.time_s.len()
     }
@@ -290,6 +292,7 @@ pub struct MotionFault {
 }
 
 impl MotionFault {
+    /// An error about no single line.
     pub fn new(message: impl Into<String>) -> Self {
         Self { line: None, message: message.into(), needs_angles: false }
     }

@@ -14,6 +14,7 @@ use crate::change::{ChangedBy, NumberChange, PlaceChange, property_factor};
 /// Relative rounding error of a product of a few numbers.
 const ROUNDING_OF_FACTORS: f64 = 1e-14;
 
+/// A new value, with its factor and the rule that gives it.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct NewNumber {
     pub(crate) to: f64,
@@ -28,6 +29,7 @@ impl NewNumber {
     }
 }
 
+/// Collects the changes of a model's numbers and places for a plan.
 pub(crate) struct PlanBuilder<'m> {
     pub(crate) model: &'m Model,
     pub(crate) changes: Vec<NumberChange>,
@@ -38,6 +40,7 @@ pub(crate) struct PlanBuilder<'m> {
 }
 
 impl<'m> PlanBuilder<'m> {
+    /// No changes yet.
     pub(crate) fn new(model: &'m Model) -> Self {
         Self {
             model,
@@ -161,6 +164,7 @@ impl<'m> PlanBuilder<'m> {
         Err(Fault::new(kind).at_element(path))
     }
 
+    /// Adds a change, unless the number stays.
     fn push(&mut self, change: NumberChange) -> Result<(), Fault> {
         change.check()?;
         // A value that is computed again may differ in its last bits and mean the same; a given one is taken exactly.

@@ -183,6 +183,7 @@ impl NumberChange {
             None => format!("{}, in the place of {}", self.by.in_words(), readable(self.from)),
         }
     }
+    /// The file that has the number.
     pub fn file(&self) -> FileId {
         self.slot.file
     }
@@ -201,6 +202,7 @@ impl PlaceChange {
         })
     }
 
+    /// The file that has the place.
     pub fn file(&self) -> FileId {
         self.slot.file
     }

@@ -14,6 +14,7 @@ pub(crate) struct NewElement {
     content: ElementContent,
 }
 
+/// The content of a new XML element.
 #[derive(Debug, Clone, PartialEq, Eq)]
 enum ElementContent {
     Text(String),
@@ -214,6 +215,7 @@ struct EmptyElement<'t> {
 }
 
 impl<'t> EmptyElement<'t> {
+    /// The element `parent`, if it has no content.
     fn read(tree: &'t Tree, parent: ElementId) -> Option<Self> {
         let nothing = tree.content(parent).all(|piece| is_white(piece.text));
         if !nothing {

@@ -17,10 +17,11 @@ use crate::insert::{
 /// The elements that OpenSim writes before and after `<credits>` in a model.
 const ORDER_AROUND_CREDITS: [&str; 6] =
     ["defaults", "Ground", "gravity", "credits", "publications", "length_units"];
+/// The tag of the element that has a model's note.
 const CREDITS_TAG: &str = "credits";
-/// Letters in a note's list of elements that the program made: the program added `<credits>`, or opened an empty `<credits>` of
-/// one of these forms. With the letters, removing the note restores the file.
+/// The letter in a note's list of made elements by which the program added `<credits>`. With it, removing the note restores the file.
 const MADE_CREDITS_MARK: char = 'c';
+/// The letters in a note's list of made elements by which the program opened an empty `<credits>` of each form.
 const OPENED_MARKS: [(char, EmptyForm); 2] = [('s', EmptyForm::Closed), ('b', EmptyForm::ClosedWithBlank)];
 
 /// Whether a note needs an element `<credits>` that `document` does not have.
@@ -28,7 +29,8 @@ pub(crate) fn adds_credits(document: &Document) -> bool {
     document.is_model() && matches!(Credits::of(document), Ok(None))
 }
 
-/// The letters of the earlier note and those that a note in the model adds; `followed` as in [`noted_sizes`].
+/// The letters in a note for elements that the program made in the model: those of the earlier note, and those that the new note adds;
+/// `followed` as in [`noted_sizes`].
 pub(crate) fn made_letters(model: &Model, followed: Option<&BTreeSet<SphereId>>) -> String {
     let document = model.document();
     let earlier = model.note.as_ref();
@@ -51,23 +53,26 @@ pub(crate) fn made_letters(model: &Model, followed: Option<&BTreeSet<SphereId>>)
     if letters.is_empty() { Note::nothing_added() } else { letters.into_iter().collect() }
 }
 
-/// The letters of `made` and `others`, each once.
+/// The letters of two notes for elements that the program made, each once.
 pub(crate) fn merged_letters(made: &str, others: &str) -> String {
     let letters: BTreeSet<char> =
         made.chars().chain(others.chars()).filter(char::is_ascii_alphabetic).collect();
     if letters.is_empty() { Note::nothing_added() } else { letters.into_iter().collect() }
 }
 
-/// The letters of a note about new objects, without the letters `earlier` of the note about the other objects of the model.
+/// The letters of a note about new objects for elements that the program made, without the letters `earlier` of the note about the other
+/// objects of the model.
 pub(crate) fn letters_without_earlier(made: &str, earlier: &str) -> String {
     let own = |letter: &char| *letter == Note::PLACED_MARK || !earlier.contains(*letter);
     merged_letters(&made.chars().filter(own).collect::<String>(), "")
 }
 
+/// Whether all spheres are at the places that the note records.
 fn is_unmoved(note: &Note, model: &Model) -> bool {
     model.has_places_of(note) == Some(true)
 }
 
+/// The letter in a note for the form of an empty `<credits>` that the note opens; `None` if it does not.
 fn opened_credits_letter(document: &Document) -> Option<char> {
     let credits = Credits::of(document).ok()??;
     let form = EmptyForm::of(document.tree(), credits.element);

@@ -190,6 +190,7 @@ impl Plan {
         numbers && self.objects().is_empty() && !(self.requires_note && self.note.is_some())
     }
 
+    /// `plan` with the note that records it.
     pub(crate) fn new(model: &Model, plan: Self, facts: &NoteFacts<'_>) -> Self {
         let changed: BTreeMap<ValueKey, f64> = plan.changes.iter().map(NumberChange::key_and_value).collect();
         let moved: HashMap<&str, [f64; 3]> =

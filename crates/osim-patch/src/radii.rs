@@ -163,6 +163,7 @@ impl Radii {
     }
 }
 
+/// The rule that gives one sphere its new radius.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum SphereRadiusRule {
     /// One rule gives the radii of all spheres.
@@ -237,6 +238,7 @@ pub(crate) struct ForcesOutsideChange<'m> {
 }
 
 impl<'m> ForcesOutsideChange<'m> {
+    /// Finds, for each sphere, the switched-on forces that are not `chosen`.
     pub(crate) fn find(model: &'m Model, chosen: &[ForceId]) -> Self {
         let chosen: HashSet<ForceId> = chosen.iter().copied().collect();
         let mut forces: HashMap<SphereId, Vec<&str>> = HashMap::new();

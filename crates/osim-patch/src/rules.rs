@@ -8,6 +8,7 @@ use crate::builder::PlanBuilder;
 use crate::radii::Radii;
 use osim_model::rule;
 
+/// The rules of this crate, which are about changes.
 pub const RULES: &[&Rule] = &[
     &ALREADY_AT_TARGET,
     &COMPOSITE_SURFACES,
@@ -172,12 +173,13 @@ pub(crate) fn warn_forces(plan: &mut PlanBuilder<'_>, forces: &[ForceId], proper
     plan.findings.extend(friction_not_similar(chosen, properties));
 }
 
-/// The two forms of (14) part where they differ by more than this factor.
+/// Dissipation scaled by radius and by mass (14) differs clearly if one is more than this many times the other.
 const CLEAR_DISSIPATION_RATIO: f64 = 1.1;
 
+/// The beginning of the remark on dissipation by radius and by mass, by which it is recognised.
 const START_OF_FORMS: &str = "(14) has two forms: ";
 
-/// What (14) by radius and by mass makes of the dissipation `from`, s/m, in words; `None` if the two hardly differ.
+/// A sentence with the dissipation, scaled by (14) from `from` (s/m), by radius and by mass; `None` if the two hardly differ.
 pub fn forms_of_dissipation(ratios: &Ratios, from: f64) -> Option<String> {
     let [by_radius, by_mass] =
         [ratios.dissipation(), ratios.dissipation_by_mass()].map(|factor| from * factor);

@@ -37,6 +37,7 @@ pub struct DropResult {
     pub mismatches: Vec<(String, MassMismatch)>,
 }
 
+/// The fall of another body, with which a drop test is compared.
 #[derive(Debug, Clone)]
 pub struct ComparedDrop {
     pub name: FileName,
@@ -275,6 +276,7 @@ pub enum DropRow {
     Last,
 }
 
+/// An entry of the register of drop figures.
 const fn entry(row: DropRow, value: FigureValue) -> DropFigureEntry {
     DropFigureEntry { row, value }
 }
@@ -349,6 +351,7 @@ impl DropFigure {
         matches!(self.entry().value, Always(_))
     }
 
+    /// The value of this figure for a drop; `None` if the drop does not have it.
     pub fn value(self, drop: &DropResult) -> Option<f64> {
         match self.entry().value {
             Always(value) => Some(value(drop)),
@@ -389,6 +392,7 @@ osim_inspect::quantities! {
 }
 
 impl DropColumn {
+    /// The value of this column at one moment of a drop.
     pub fn value(self, report: &DropReport, sample: &Sample) -> f64 {
         (self.entry())(report, sample)
     }

@@ -140,6 +140,7 @@ impl MeasuredCurve {
     }
 }
 
+/// A column of a measured curve, and the size of its unit in SI.
 struct Column {
     index: usize,
     unit: f64,

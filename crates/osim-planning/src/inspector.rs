@@ -22,6 +22,7 @@ use crate::opening::{open, read_moco_setup, read_scale_file};
 use crate::remedies::{NO_CODES, RemedyTrials};
 use crate::{MotionResult, check_with_trials, rules};
 
+/// Inspects and checks models as one request says, beside the files that all of its models are compared with.
 pub struct Inspector {
     pub options: InspectOptions,
     pub set_files: SetFiles,
@@ -39,6 +40,7 @@ pub struct Inspector {
     answers: Option<AnswerOptions>,
 }
 
+/// The generic model, with which scaled models are compared.
 struct GenericModel {
     anatomy: Anatomy,
     contacts: ReferenceContacts,
@@ -154,6 +156,7 @@ impl Inspector {
         }
     }
 
+    /// An inspector with these options, which compares with no other file.
     pub fn new(options: &InspectionOptions) -> Self {
         Self {
             options: InspectOptions::from(options),
@@ -238,7 +241,7 @@ impl Inspector {
         result
     }
 
-    /// The remark that the forms of (14) part, if the contacts are no longer those of the generic model.
+    /// The remark on dissipation by radius and by mass (14), if the contacts are no longer those of the generic model.
     fn forms_of_dissipation(
         &self,
         model: &Model,

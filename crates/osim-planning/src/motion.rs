@@ -199,6 +199,7 @@ pub(crate) fn mass_and_gravity(masses: &MassRequest, model: &Model) -> Result<(f
 
 // Force plates as files have them.
 
+/// The force plates that were read from the files of a request.
 #[derive(Debug, Clone)]
 pub struct PlatesRead {
     /// The file of the table with the forces of the plates.

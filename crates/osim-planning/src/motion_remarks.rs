@@ -173,6 +173,7 @@ impl MotionResult {
     }
 }
 
+/// The remarks about a motion, in the order in which they are shown.
 #[derive(Default)]
 struct RemarkList(Vec<MotionRemark>);
 

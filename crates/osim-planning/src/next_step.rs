@@ -57,6 +57,7 @@ impl NextModels {
 }
 
 impl MocoStart {
+    /// The start for Moco that `request` wants; `None` if it wants none.
     fn new(
         request: &MotionRequest,
         result: &MotionResult,

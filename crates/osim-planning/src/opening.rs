@@ -24,6 +24,7 @@ pub fn open_with(path: &Path, beside: CompanionPaths<'_>, files: &dyn Files) -> 
     ModelFiles::read(path, bytes, beside, files)?.open()
 }
 
+/// Reads a file that the request names.
 pub(crate) fn read(path: &Path, files: &dyn Files) -> Result<Vec<u8>, Failure> {
     let failed = |error: FileError| Failure::outside(path, "unreadable", error.to_string());
     files.read(path).map_err(failed)
@@ -124,6 +125,7 @@ pub(crate) fn looks_like_file(word: &Path) -> bool {
     word.as_os_str() == "-" || word.components().count() > 1 || word.extension().is_some()
 }
 
+/// What a name in a request means: a model that was opened, or a preset.
 pub(crate) enum ModelOrPreset {
     Model(Box<OpenModel>),
     Preset(Preset),

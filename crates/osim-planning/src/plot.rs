@@ -153,8 +153,9 @@ fn short_name(path: &Path) -> String {
     path.file_stem().map_or_else(|| path.display().to_string(), |name| name.to_string_lossy().into_owned())
 }
 
-/// The largest number of spheres and bodies in a model whose feet a page shows.
+/// The largest number of spheres in a model whose feet a page shows.
 const MOST_SPHERES_ON_PAGE: usize = 200;
+/// The largest number of bodies in a model whose feet a page shows.
 const MOST_BODIES_ON_PAGE_OF_FEET: usize = 1000;
 
 /// The feet of a model in one state, for figures.
@@ -194,6 +195,7 @@ impl ModelFeet {
         few.then(|| Self::of_selection(name, opened, selection).ok()).flatten()
     }
 
+    /// The feet of `model` at its default pose, without bones.
     fn find(name: &str, model: &Model, selection: &Selection) -> Result<Self, Fault> {
         let anatomy = Anatomy::of(model)?;
         let pose = DefaultPose::of(model);
@@ -271,6 +273,7 @@ fn mark_misplaced(feet: &mut [Foot], finding: Option<&Finding>) {
 /// The beginning of the names of columns with the values of a sweep's grid.
 const GRID_PREFIX: &str = "grid_";
 
+/// A column of numbers in a table, for a figure.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TableColumn {
     pub name: String,

@@ -224,7 +224,7 @@ fn findings_of_result(
     after.unwrap_or(before).iter().map(judged).collect()
 }
 
-/// For each place of a finding, what is equal if another finding is about the same fault at this place.
+/// A key for each place of a finding. If two findings have a key in common, they are about the same fault at the same place.
 fn cases_of(finding: &Finding) -> impl Iterator<Item = (FindingCode, Option<&str>, Severity)> {
     finding.paths_or_none().map(|place| (finding.code(), place, finding.severity))
 }

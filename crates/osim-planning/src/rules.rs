@@ -15,6 +15,7 @@ use osim_model::{
 };
 use osim_patch::forms_of_dissipation;
 
+/// The rules of this crate: about results of changes, recordings, and files beside a model.
 const RULES: &[&Rule] = &[
     &BOTTOMS_MOVED,
     &COMPILED_MODEL_BESIDE,
@@ -199,14 +200,15 @@ rule! { DISSIPATION_FORMS: DissipationForms, Remark, Mass;
         bad: r#"{"verb": "check", "models": ["table1/horse_smooth_sphere.osim"], "from": "table1/human_62kg_smooth_sphere.osim"}"# },
 }
 
-/// The root mean square of the radii of a model's contacts, m, and the dissipation of the first, s/m.
+/// The root mean square of the radii of a model's contacts, m, and the dissipation of its first contact, s/m; `None` without contacts.
 pub(crate) fn radius_and_dissipation(model: &Model) -> Option<[f64; 2]> {
     let loaded = loaded_round_spheres(model, &model.force_ids()).ok()?;
     let radius_m = root_mean_square(loaded.iter().map(|sphere| sphere.radius_m));
     Some([radius_m, loaded.first()?.contact.dissipation()])
 }
 
-/// The remark that the forms of (14) part for a model whose contacts are those of a reference, both as [`radius_and_dissipation`] gives them.
+/// The remark that (14) gives different dissipations by radius and by mass. The reference has the radius `reference_m` and the dissipation
+/// `from`; the scaled model has `radius_m` and `now`.
 pub(crate) fn find_dissipation_forms(
     sizes: &SizeList,
     [reference_m, from]: [f64; 2],

@@ -135,7 +135,7 @@ impl Planned {
         PyList::new(py, each.collect::<Vec<_>>())
     }
 
-    /// The bytes of the model as it is.
+    /// The bytes of the model before the change.
     fn old<'py>(&self, py: Python<'py>) -> Bound<'py, PyBytes> {
         PyBytes::new(py, self.model.opened.model.file(FileId::MAIN).bytes())
     }

@@ -159,6 +159,7 @@ pub(crate) fn from_slice(text: &[u8]) -> Result<Value, serde_json::Error> {
     Ok(value)
 }
 
+/// Reads a JSON value in which no object has a field twice.
 struct ValueWithUniqueFields;
 
 impl<'d> DeserializeSeed<'d> for ValueWithUniqueFields {

@@ -3,6 +3,7 @@
 use osim_model::files::Failure;
 use osim_model::messages::{Dialect, Input, Phrase, phrase, shown};
 
+/// Why a request is refused.
 #[derive(Debug, Clone, PartialEq)]
 pub enum RequestFault {
     /// The request has no field of this name; `nearest` was probably meant.

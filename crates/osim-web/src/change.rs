@@ -30,6 +30,7 @@ const SCENE_SECTION: &str = "scene";
 /// Name of the section that shows falls on the contacts before and after the change.
 const FALLS_SECTION: &str = "falls";
 
+/// A change that is planned for an opened model, as the page shows it.
 pub(crate) struct PlannedChange {
     change: PreparedChange,
     opened: Rc<OpenedModel>,
@@ -68,6 +69,7 @@ pub(crate) struct ChangeShown<'p> {
     falls: Vec<BodyFall>,
 }
 
+/// The name and the size of a file that a change makes.
 #[derive(Debug, Serialize)]
 struct ResultShown<'p> {
     name: &'p str,

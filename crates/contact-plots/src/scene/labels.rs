@@ -28,7 +28,9 @@ const LABEL_DIRECTIONS: [(f64, f64); 16] = [
 ];
 /// The smallest distance from a point to the nearest edge of its name.
 const LEAST_DISTANCE_PT: f64 = 3.0;
+/// Each further try places a name farther from its point by this distance, pt.
 const DISTANCE_STEP_PT: f64 = 3.5;
+/// The largest number of distances at which a place for a name is tried.
 const MOST_DISTANCE_STEPS: u32 = 400;
 /// Smallest distance between the boxes of two names.
 const LABEL_GAP_PT: f64 = 1.0;
@@ -37,12 +39,17 @@ pub(super) const LEADER_PT: f64 = 5.0;
 /// Number of rounds in which all names are placed again around the other names.
 const PLACING_ROUNDS: usize = 3;
 
-/// Costs of a place where a name hides or crosses something, in points of distance.
+/// Cost of a place where a circle crosses the box of the name, in points of distance.
 const COST_OF_CIRCLE: f64 = 3.0;
+/// Cost of a place where a level line crosses the box of the name, in points of distance.
 const COST_OF_LEVEL: f64 = 30.0;
+/// Cost of a place where the box of the name hides a point, in points of distance.
 const COST_OF_POINT: f64 = 60.0;
+/// Cost of a place whose line to its point passes near another point, in points of distance.
 const COST_OF_LEADER_NEAR_POINT: f64 = 20.0;
+/// Cost of a place whose line to its point crosses the line of another name, in points of distance.
 const COST_OF_CROSSING: f64 = 40.0;
+/// Cost of a place where the line of one name crosses the box of another name, in points of distance.
 const COST_OF_OVERLAP_WITH_NAME: f64 = 120.0;
 
 /// A box on the page, in points; y grows downwards.
@@ -55,6 +62,7 @@ pub(super) struct Rect {
 }
 
 impl Rect {
+    /// A box of this width and height around its middle.
     fn around((x, y): Point, (width, height): (f64, f64)) -> Self {
         Self {
             left: x - width / 2.0,
@@ -64,6 +72,7 @@ impl Rect {
         }
     }
 
+    /// Whether two boxes overlap or are closer than `apart`.
     pub(super) fn overlaps(&self, other: &Self, apart: f64) -> bool {
         self.left < other.right + apart
             && other.left < self.right + apart
@@ -158,6 +167,7 @@ pub(super) fn place_names(
     names.iter().zip(places).map(|(name, place)| place.unwrap_or_else(|| fallback(name))).collect()
 }
 
+/// The search for the best place of one name in a picture.
 struct PlaceSearch<'s> {
     name: &'s NameToPlace,
     span: (f64, f64),
@@ -166,6 +176,7 @@ struct PlaceSearch<'s> {
 }
 
 impl PlaceSearch<'_> {
+    /// The free place with the least cost: distance from the point, and everything that the name or its line would hide.
     fn cheapest_place(&self) -> Option<Rect> {
         let (width, height) = self.name.size;
         let mut best: Option<(f64, Rect)> = None;
@@ -199,11 +210,13 @@ impl PlaceSearch<'_> {
         Rect { left: place.left + by, right: place.right + by, ..place }
     }
 
+    /// Whether another name or an obstacle is at this place.
     fn is_taken(&self, place: &Rect) -> bool {
         let names = self.others.iter().map(|(_, other)| other).chain(&self.obstacles.boxes);
         names.into_iter().any(|other| place.overlaps(other, LABEL_GAP_PT))
     }
 
+    /// Cost of a place, besides its distance: everything that the name or its line would hide or cross.
     fn cost(&self, place: &Rect) -> f64 {
         let end = place.nearest(self.name.at);
         let others = |point: &&Point| **point != self.name.at;

@@ -10,7 +10,9 @@ use crate::panels_svg::{AXIS_NAME_DISTANCE_PT, TICK_LABELS_HEIGHT_PT, TICK_LENGT
 use crate::style::{TEXT_PT, float};
 use crate::text_width::{cut_to_width, lines, width_pt};
 
+/// Distance between two lines of text, pt.
 pub(super) const LINE_PT: f64 = 8.6;
+/// Distance between two blocks of views, pt.
 const BLOCK_GAP_PT: f64 = 10.0;
 /// Height of the row with the title of a block, pt.
 const BLOCK_TITLE_PT: f64 = 13.0;
@@ -20,6 +22,7 @@ pub(super) const RIGHT_PT: f64 = 5.0;
 const SIDE_BY_SIDE_PT: f64 = 90.0;
 /// Distance between the elements and the edge of their view, pt.
 const VIEW_PADDING_PT: f64 = 4.0;
+/// Height of the box of a name, pt.
 const NAME_HEIGHT_PT: f64 = 7.6;
 /// The largest width of a name, as a share of the view's width.
 const LONGEST_NAME: f64 = 0.45;
@@ -68,14 +71,17 @@ pub(super) struct PlacedView<'s> {
 }
 
 impl PlacedView<'_> {
+    /// The place on the page, pt, of a point in the units of the axes.
     pub(super) fn at(&self, (x, y): Point) -> Point {
         (self.left + (x - self.x_left) * self.scale, self.top + self.zero + self.sign() * y * self.scale)
     }
 
+    /// The length on the page, pt, of a length in the units of the axes.
     pub(super) fn length(&self, value: f64) -> f64 {
         value * self.scale
     }
 
+    /// Whether values grow downwards on the page (1) or upwards (-1).
     fn sign(&self) -> f64 {
         if self.view.y_down { 1.0 } else { -1.0 }
     }
@@ -148,6 +154,7 @@ pub(super) struct SceneLayout<'s> {
 }
 
 impl<'s> SceneLayout<'s> {
+    /// The layout of `scene`; `legend` makes the legend for the room that it gets, pt.
     pub(super) fn of(scene: &'s Scene, paper: Paper, legend: impl FnOnce(f64) -> Legend) -> Self {
         let count_block_names = |block: &Block| block.views.iter().map(count_names).max().unwrap_or(0);
         let crowded = scene.blocks.iter().any(|block| count_block_names(block) > MOST_NAMES_IN_COLUMN);
@@ -359,6 +366,7 @@ fn align_axes(mut row: Vec<Vec<PlacedView<'_>>>) -> Vec<Vec<PlacedView<'_>>> {
     row
 }
 
+/// Places the views of a block below each other.
 fn stack_views<'s>(
     block: &Block,
     views: Vec<PlacedView<'s>>,

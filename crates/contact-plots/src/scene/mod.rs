@@ -193,6 +193,7 @@ fn draw_axes(root: &Area<'_>, view: &PlacedView<'_>, is_last: bool) -> Result<()
 
 // What the legend shows of a scene, before the names.
 
+/// Radius of a circle in the legend, pt.
 const SAMPLE_CIRCLE_RADIUS_PT: f64 = 3.6;
 
 /// A kind of element in the legend.
@@ -230,16 +231,21 @@ fn draw_sample_at(root: &Area<'_>, sample: SceneSample, left: f64, middle: f64) 
 
 /// The colour of bones: a grey on which the other colours are clearly visible.
 const BONE_COLOUR: RGBColor = RGBColor(0x88, 0x88, 0x88);
+/// Opacity of the shade inside a bone, from 0 to 1.
 const BONE_OPACITY: f64 = 0.22;
+/// The look of spheres in the present state.
 const PRESENT_LOOK: Look = Look::HERTZ;
+/// The colour of a sphere that is in a wrong place.
 const MISPLACED_COLOUR: RGBColor = RGBColor(0xD5, 0x5E, 0x00);
 /// Width of the line of a misplaced circle, pt: twice that of other circles.
 const MISPLACED_LINE_PT: f64 = 2.2;
 /// Number of corners of a dashed circle.
 const RING_CORNERS: u32 = 120;
+/// Opacity of the shade inside a circle, from 0 to 1.
 const BALL_OPACITY: f64 = 0.13;
 /// A dashed line on the page.
 type Dashes = DashedPathElement<std::vec::IntoIter<(i32, i32)>, i32>;
+/// Size of a marked point in the present state, pt.
 const SPOT_PT: f64 = 1.7;
 
 /// Draws a circle with a light shade inside.

@@ -51,6 +51,7 @@ pub(super) struct FallingBody<'a> {
 }
 
 impl<'a> FallingBody<'a> {
+    /// The body, with the length, time and force that follow from its spheres, its mass and gravity.
     pub(super) fn new(spheres: &'a [Spheres], mass_kg: f64, gravity_m_s2: f64) -> Self {
         let weigh = |f: fn(&Spheres) -> f64| spheres.iter().map(|s| s.count() * f(s)).sum::<f64>();
         let square = weigh(|s| s.law().hertz().radius_m() * s.law().hertz().radius_m());
@@ -107,6 +108,7 @@ pub(super) type DepthAndSpeed = [f64; 2];
 /// and 1e-12, the series of the 62 kg human has an error of 1.1e-8 R; with 3e-13 and 3e-14 of 6e-10 R
 /// (`tests/scaling/drop_test.rs`), in 0.5 ms instead of 0.3.
 const LARGEST_RELATIVE_STEP_ERROR: f64 = 3e-13;
+/// Absolute bound of the local error of the dimensionless height and speed.
 const LARGEST_ABSOLUTE_STEP_ERROR: f64 = 3e-14;
 /// The largest number of steps between two contact events; the paper's drops need some hundreds.
 const MOST_STEPS: usize = 1_000_000;
@@ -170,6 +172,7 @@ pub(super) fn integrate(body: &FallingBody<'_>, values: &DropValues) -> Result<R
     Err(DropError::Integration { time_s: time * body.time_s })
 }
 
+/// The dimensionless time until which an integration came that ended by an error.
 fn time_reached(error: &Error<f64, DepthAndSpeed>, start: f64) -> f64 {
     match error {
         Error::MaxSteps { t, .. } | Error::StepSize { t, .. } | Error::Stiffness { t, .. } => *t,

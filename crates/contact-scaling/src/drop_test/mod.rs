@@ -191,6 +191,7 @@ pub struct DropReport {
 }
 
 impl DropReport {
+    /// The report of a computed fall, with its equilibria and its first contact.
     fn new(body: &FallingBody<'_>, values: &DropValues, record: RecordedDrop) -> Result<Self, DropError> {
         let hertz = equilibrium::hertz_indentation(body.spheres, body.weight_n)?;
         let own = equilibrium::indentation(body.spheres, body.weight_n)?;
@@ -216,6 +217,7 @@ impl DropReport {
     }
 }
 
+/// The first contact in a recorded fall; `None` if the body does not touch the ground.
 fn first_contact(body: &FallingBody<'_>, record: &RecordedDrop) -> Result<Option<FirstContact>, DropError> {
     let Some(&(start, impact)) = record.crossings.first() else { return Ok(None) };
     let impact_speed_m_s = impact * body.speed_m_s();
@@ -233,6 +235,7 @@ fn first_contact(body: &FallingBody<'_>, record: &RecordedDrop) -> Result<Option
     }))
 }
 
+/// The recorded states as samples in SI units.
 fn samples_of_fall(body: &FallingBody<'_>, values: &DropValues, record: RecordedDrop) -> Vec<Sample> {
     let last = (values.samples - 1) as f64;
     let sample = |(i, state): (usize, [f64; 2])| {
@@ -279,6 +282,7 @@ pub fn compare(a: &DropTest, b: &DropTest) -> Result<Difference, DropError> {
     Ok(difference)
 }
 
+/// The duration of a drop test in units of √(R/g).
 fn dimensionless_duration(test: &DropTest) -> f64 {
     test.values().duration_s / test.body().time_s
 }

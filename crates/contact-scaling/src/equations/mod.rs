@@ -80,6 +80,7 @@ fn normalised_name(name: &str) -> String {
 
 // Equations that the paper does not have.
 
+/// Equations of the register that the paper does not have, such as the exact restitution.
 const EQUATIONS_BEYOND_PAPER: &[Equation] = equations! {
     "exact restitution" ["exact", "exact law"] "Coefficient of restitution, exact":
         form("", "d − ln(1 + d) = −c d − ln(1 − c d), d = 3/2 α ẋ⁻", "restitution::exact", "1"),

@@ -7,6 +7,7 @@ use crate::equations::symbols::{
     T, WIDTH, X, X_HAT, X_HAT_C, X_HAT_EQ, X_HAT_T, YOUNG, form,
 };
 
+/// Equations (1) to (15) and Fig. 3 of the paper: the contact laws and how they scale.
 pub(super) const EQUATIONS_OF_LAWS: &[Equation] = equations! {
     "1" [] "Hertz force of one sphere":
         form("", "F_e = 4/3 η √R E* x^(3/2)", "Hertz::force", "N"),
@@ -74,6 +75,7 @@ pub(super) const EQUATIONS_OF_LAWS: &[Equation] = equations! {
 
 // Moduli of surfaces: appendix A.
 
+/// Equations (A.1) to (A.5) of the paper, and the mixing rules of Simbody and Johnson: moduli of two surfaces.
 pub(super) const EQUATIONS_OF_SURFACES: &[Equation] = equations! {
     "A.1" [] "Plane strain modulus from Young's modulus":
         form("", "E₁* = E₁ / (1 − ν₁²)", "modulus::plane_strain", "N/m²");
@@ -105,6 +107,7 @@ pub(super) const EQUATIONS_OF_SURFACES: &[Equation] = equations! {
 
 // Stiffness and natural frequency: appendix B.
 
+/// Equations (B.1) to (B.5) of the paper: contact stiffness and natural frequency.
 pub(super) const EQUATIONS_OF_STIFFNESS: &[Equation] = equations! {
     "B.1" [] "Contact stiffness of one sphere":
         form("", "k = 2 η √R E* √x", "Hertz::stiffness", "N/m");
@@ -129,6 +132,7 @@ pub(super) const EQUATIONS_OF_STIFFNESS: &[Equation] = equations! {
 
 // `SmoothSphereHalfSpaceForce`: appendix C.
 
+/// Equations (C.1) to (C.10) of the paper: the smoothed law.
 pub(super) const EQUATIONS_OF_SMOOTHING: &[Equation] = equations! {
     "C.1" [] "Hertz force with a constant indentation":
         form("", "F_cf = 4/3 η √R E* (x² + cf)^(3/4)", "SmoothSphere::constant_indentation_force", "N");

@@ -21,6 +21,7 @@ pub(super) struct Parameters {
 }
 
 impl Parameters {
+    /// α = (E* α) / E*, in s/m.
     pub(super) fn dissipation(&self) -> f64 {
         self.modulus_dissipation / self.modulus
     }
@@ -51,6 +52,7 @@ impl FitModel {
         -1.5 * self.gain * u.sqrt() * (p.modulus + p.modulus_dissipation * (1.5 * point.speed))
     }
 
+    /// Force of the law at a measured point, N.
     pub(super) fn force(&self, p: &Parameters, point: &Point) -> f64 {
         p.modulus * self.elastic_factor(point, p.onset)
             + p.modulus_dissipation * self.dissipative_factor(point, p.onset)
@@ -188,6 +190,7 @@ struct OnsetSearch<'a> {
 }
 
 impl<'a> OnsetSearch<'a> {
+    /// The search that begins at `start`; the unknowns are scaled by a typical `force` and `length`.
     fn new(model: &'a FitModel, points: &'a [Point], start: &Parameters, force: f64, length: f64) -> Self {
         let speed = points.iter().fold(0.0, |most: f64, p| most.max(p.speed.abs()));
         let config = MPConfig { ftol: 1e-15, xtol: 1e-14, gtol: 1e-14, ..MPConfig::new() };

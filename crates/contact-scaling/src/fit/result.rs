@@ -117,6 +117,7 @@ pub struct Estimate {
 }
 
 impl Estimate {
+    /// A fitted value with its 95 % interval; `t` is the value of Student's distribution.
     pub(super) fn new(value: f64, standard_error: f64, t: f64) -> Self {
         let half = t * standard_error;
         Self { value, standard_error, low: value - half, high: value + half }

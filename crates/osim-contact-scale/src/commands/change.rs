@@ -227,6 +227,7 @@ fn do_tasks(
     }
 }
 
+/// Prints what there is to print about one model, on standard output or standard error.
 fn print_outputs(all: &[Output], session: &mut Session) -> Result<()> {
     for output in all {
         match output {
@@ -241,6 +242,7 @@ fn print_outputs(all: &[Output], session: &mut Session) -> Result<()> {
     Ok(())
 }
 
+/// The exit status of a run with these outcomes; `not_printed` says that a result could not be printed.
 fn exit_of(counts: &OutcomeCounts, not_printed: bool) -> Exit {
     match (counts.interrupted(), counts.failed) {
         (true, _) => Exit::Interrupted,
@@ -393,6 +395,7 @@ impl ResultPrinter<'_> {
     }
 }
 
+/// The diff of all files of a model that change.
 fn diff_of_changed_files(changed: &ChangedModel<'_>) -> String {
     let ChangedModel { task, opened, results, .. } = changed;
     let shown = opened.name();
@@ -428,6 +431,7 @@ pub(crate) fn run_batch(request: &BatchRequest, session: &mut Session) -> Result
     }
 }
 
+/// Reports the wrong rows of a table, after which nothing is changed.
 fn report_wrong_rows(wrong: &[Failure], shown: &str, json: bool, session: &mut Session) -> Result<Exit> {
     for failure in wrong.iter().filter(|_| json) {
         session.terminal.print_records(&line(&FailureRecord::new(failure, session.words)))?;

@@ -16,6 +16,7 @@ use osim_view::report::messages::mass_mismatch;
 use crate::exit::Exit;
 use crate::session::Session;
 
+/// The format of the picture that `plot` writes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Picture {
     Svg,

@@ -134,6 +134,7 @@ fn chosen_by_limb<'p>(
     on_limbs.filter(|(_, on_limb)| !on_limb.is_empty()).map(group).collect()
 }
 
+/// Why the number of spheres that share the weight is not known; `None` if it is.
 fn why_no_count(limbs: &Limbs) -> Option<Phrase> {
     match limbs {
         Limbs::Unknown(why) => {
@@ -162,6 +163,7 @@ struct LoadedLimb<'s> {
 }
 
 impl LoadedLimb<'_> {
+    /// The load of this many body weights on the spheres of the limb.
     fn load_at(&self, body_weights: f64) -> Option<SharedLoad> {
         let weight = self.weight?;
         SharedLoad::new(body_weights * weight.mass_kg * weight.gravity_m_s2, self.count?).ok()
@@ -190,6 +192,7 @@ impl LoadedLimb<'_> {
         figures
     }
 
+    /// The equilibrium of the limb under this many body weights, if all bottoms are at one height.
     fn level_limb(&self, body_weights: f64) -> Option<LevelLimb> {
         let load_n = self.load_at(body_weights)?.per_sphere_n();
         let Some(all) = &self.all else {
@@ -206,6 +209,7 @@ impl LoadedLimb<'_> {
         Some(LevelLimb { body_weights, load_n, indentations_m: Some((hertz, model_law)) })
     }
 
+    /// The figures of one sphere; `rests` has its depth under each load.
     fn figures_of_sphere(&self, one: &SphereContacts, rests: &[SphereRest]) -> SphereFigures {
         let name = self.model.sphere(one.sphere);
         let force = |&id: &ForceId| self.model.force(id).map(|force| force.name.clone());
@@ -259,6 +263,7 @@ fn sphere_rest(one: &SphereContacts, level: &LevelLimb) -> SphereRest {
 /// For each sphere over a floor, the heights of the spheres of its joint tree.
 type StandingBySphere<'s> = HashMap<SphereId, &'s Standing>;
 
+/// The joint tree over its floor to which each sphere belongs.
 fn standing_by_sphere(standing: &[Standing]) -> StandingBySphere<'_> {
     standing.iter().flat_map(|tree| tree.spheres.iter().map(move |over| (over.sphere, tree))).collect()
 }

@@ -21,10 +21,12 @@ struct Entry {
     compute: fn(&SphereOnFloor<'_>) -> ComputedFigure,
 }
 
+/// An entry of the register of figures.
 const fn entry(visibility: FigureVisibility, compute: fn(&SphereOnFloor<'_>) -> ComputedFigure) -> Entry {
     Entry { visibility, compute }
 }
 
+/// A quantity x̂ that is compared with the limit of the Hertz law.
 const fn indentation(name: &'static str, label: &'static str) -> Quantity {
     Quantity::new(name, label, "").with_limit(&limits::INDENTATION)
 }
@@ -154,6 +156,7 @@ impl Figure {
     }
 }
 
+/// Stiffness of a sphere under its share of the body weight, N/m.
 fn contact_stiffness(sphere: &SphereOnFloor<'_>) -> Option<f64> {
     let x_hat = sphere.rest_at_one_body_weight()?.hertz?;
     let hertz = Hertz::sphere(sphere.composite_modulus(), sphere.contacts.radius_m).ok()?;
@@ -267,11 +270,13 @@ impl LimbFigures {
 }
 
 impl SphereFigures {
+    /// The value of `figure`, or why it has none.
     fn compute(&self, figure: Figure) -> ComputedFigure {
         // The discriminant is the place in `Figure::ALL`: both come from one list.
         self.computed.get(figure as usize).copied().unwrap_or(ComputedFigure::Unknown)
     }
 
+    /// The value of `figure`; `None` if it is not known.
     pub fn value(&self, figure: Figure) -> Option<f64> {
         self.compute(figure).value()
     }

@@ -21,6 +21,7 @@ impl From<Option<f64>> for ComputedFigure {
 }
 
 impl ComputedFigure {
+    /// The value, if it is known.
     pub(super) fn value(self) -> Option<f64> {
         match self {
             Self::Known(value) => Some(value),
@@ -66,6 +67,7 @@ pub(super) struct SphereRest {
 }
 
 impl SphereOnFloor<'_> {
+    /// How deep the sphere is in equilibrium under this many body weights.
     fn rest_at(&self, body_weights: f64) -> Option<&SphereRest> {
         self.rests.iter().find(|rest| rest.body_weights == body_weights)
     }

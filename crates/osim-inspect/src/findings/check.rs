@@ -120,8 +120,8 @@ fn collect_findings(
     with_published_severities(model, &chosen, inspected, findings)
 }
 
-/// Findings that only show the defaults that OpenSim takes where the name of a property is misspelt. Other causes of these are found once
-/// the name is right.
+/// Whether findings of this code only show the defaults that OpenSim takes where the name of a property is misspelt. Other causes of them
+/// are found once the name is right.
 fn is_effect_of_misspelling(code: FindingCode) -> bool {
     use FindingCode::*;
     matches!(

@@ -76,6 +76,7 @@ pub struct Counts {
 }
 
 impl Counts {
+    /// Counts findings by severity.
     fn of(findings: &[FindingWithRemedy]) -> Self {
         let count = |severity| findings.iter().filter(|finding| finding.severity == severity).count();
         Self {
@@ -108,6 +109,7 @@ impl Counts {
 }
 
 impl CheckResult {
+    /// The result of a check: the findings sorted, counted, and with a verdict for each topic.
     pub fn new(model: &Model, inspected: &Inspection, findings: Vec<FindingWithRemedy>) -> Self {
         let mut findings = sort_findings(findings);
         // A remark is no reason to change the model.

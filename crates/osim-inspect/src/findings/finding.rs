@@ -21,6 +21,7 @@ pub struct FindingWithRemedy {
 }
 
 impl FindingWithRemedy {
+    /// A finding with the request that corrects it, if there is one.
     pub fn new(finding: Finding, remedy: Option<Request>) -> Self {
         Self { finding, remedy, is_published: false, command: None }
     }
@@ -67,6 +68,7 @@ pub struct FindingIndex<'f> {
 }
 
 impl<'f> FindingIndex<'f> {
+    /// An index of these findings.
     pub fn new(findings: &'f [FindingWithRemedy]) -> Self {
         let mut index = Self {
             findings,

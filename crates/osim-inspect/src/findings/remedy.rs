@@ -58,6 +58,7 @@ pub(crate) struct RemedyLoad {
 }
 
 impl<'m> Remedies<'m> {
+    /// The maker of remedies for an inspected model. Remedies repeat the masses, the load and the choice of forces in `options`.
     pub(crate) fn new(
         inspected: &Inspection,
         one_modulus: bool,
@@ -104,6 +105,7 @@ impl<'m> Remedies<'m> {
         ForceOptions { select, exclude, skip_disabled }
     }
 
+    /// The files of a standalone set that the caller gave; remedies name them again.
     pub(crate) fn set_files(&self) -> SetFiles {
         SetFiles { geometry: self.options.geometry.clone(), model: self.options.model.clone() }
     }
@@ -114,6 +116,7 @@ impl<'m> Remedies<'m> {
         Some(DesignRequest { models, wanted, choice, set_files, ..DesignRequest::default() })
     }
 
+    /// A remedy that gives properties new values.
     pub(crate) fn set(&self, assignments: Vec<(Property, Assignment)>) -> Option<SetRequest> {
         let changes_radii = assignments.iter().any(|(property, _)| *property == Property::Radius);
         Some(SetRequest {
@@ -132,6 +135,7 @@ impl<'m> Remedies<'m> {
         Some(SetRequest { models, level: true, ..self.set(Vec::new())? }.into())
     }
 
+    /// A remedy that multiplies a property by a factor.
     fn multiply(&self, property: Property, factor: f64) -> Option<Request> {
         self.set(vec![(property, Assignment::Factor(factor))]).map(Request::from)
     }
@@ -158,6 +162,7 @@ impl<'m> Remedies<'m> {
         Some(DesignRequest { load, masses, counts, ..self.design(wanted)? }.into())
     }
 
+    /// A remedy that gives the smoothed law this √cf/R.
     pub(crate) fn design_constant_indentation(&self, constant_indentation: f64) -> Option<Request> {
         let constant_indentation = Some(ConstantIndentation::new(constant_indentation).ok()?);
         self.design(WantedOptions { constant_indentation, ..WantedOptions::default() }).map(Request::from)

@@ -35,6 +35,7 @@ impl InspectOptions {
         self.inspect_with(name, model, None, RestsToCompute::OfOddBodies)
     }
 
+    /// Inspects a model; `rests` says for which bodies the equilibrium is computed.
     fn inspect_with(
         &self,
         name: impl Into<FileName>,
@@ -148,6 +149,7 @@ fn contacts_of_sets(
 /// The computed contact of each parameter set of each force.
 type ContactsOfSets = HashMap<(ForceId, SetId), ContactOfSet>;
 
+/// The contact of one parameter set of a force: E* of sphere and plane, and the contact without dimension.
 struct ContactOfSet {
     composite_modulus_n_m2: f64,
     /// The dimensionless contact of the parameter set; `None` if mass, limbs or gravity are not known.

@@ -108,6 +108,7 @@ fn sunk_in_at_own_heights(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> 
     ))
 }
 
+/// Advice about a foot that stands on an edge because of the default pose.
 const ADVICE_FOR_LEANING_FOOT: &str = "Nothing, if simulations start from a pose of their own; else give the joints default values at which the foot lies flat";
 
 /// The least number of limbs that carry a body with more than two limbs, as in a trotting horse.

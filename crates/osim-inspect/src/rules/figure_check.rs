@@ -28,6 +28,7 @@ pub(super) fn value_beyond_limit(sphere: &SphereFigures, figure: Figure) -> Opti
 }
 
 impl<'l> FigureCheck<'l> {
+    /// The figures of all spheres of an inspected model, ready for the rules.
     pub(crate) fn new(inspected: &'l Inspection, remedies: &'l Remedies<'l>) -> Self {
         Self { inspected, remedies, spheres: inspected.figures.spheres().collect() }
     }

@@ -332,4 +332,5 @@ fn terrain_spheres(model: &Model) -> Option<Finding> {
     finding_about_spheres(&TERRAIN, text, fixed.iter().copied())
 }
 
+/// The end of messages about spheres and bodies of terrain.
 const SCENERY_STAYS: &str = "they are scenery, so they are not counted and not changed";

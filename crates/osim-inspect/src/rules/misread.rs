@@ -56,16 +56,22 @@ use osim_model::rule;
 /// Properties of one form: their tags, the form of the text, and the default in OpenSim. If there is no default, OpenSim refuses the model.
 type WrittenProperties = (&'static [&'static str], TextForm, Option<&'static str>);
 
+/// OpenSim's default of a location or an orientation.
 const ZERO_VECTOR: Option<&str> = Some("0 0 0");
+/// How OpenSim reads the properties of contact geometry that place it.
 const GEOMETRY_TEXTS: &[WrittenProperties] = &[(&["location", "orientation"], Numbers(3), ZERO_VECTOR)];
+/// How OpenSim reads the properties of an offset frame that place it.
 const FRAME_TEXTS: &[WrittenProperties] = &[(&["translation", "orientation"], Numbers(3), ZERO_VECTOR)];
+/// How OpenSim reads the properties of a joint that its motion depends on.
 const JOINT_TEXTS: &[WrittenProperties] = &[
     // Documents before version 4 have the frames of a joint in the joint itself.
     (&["location_in_parent", "orientation_in_parent", "location", "orientation"], OldNumbers(Some(3)), None),
     (&["reverse"], Flag, Some("false")),
     (&["radii_x_y_z"], Numbers(3), None),
 ];
+/// How OpenSim reads the points of a curve.
 const CURVE_TEXTS: &[WrittenProperties] = &[(&["x", "y"], OldNumbers(None), None)];
+/// How OpenSim reads the properties of a constraint that the default pose depends on.
 const CONSTRAINT_TEXTS: &[WrittenProperties] = &[
     (&["isEnforced"], Flag, Some("true")),
     (&["isDisabled"], OldFlag, Some("false")),

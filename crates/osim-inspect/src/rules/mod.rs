@@ -160,6 +160,7 @@ fn rules_in<F>(table: RuleTable<F>) -> impl Iterator<Item = &'static Rule> {
 /// # Ok::<(), osim_model::Fault>(())
 /// ```
 pub fn model_findings(model: &Model) -> &[Finding] {
+    /// Findings of the rules that do not depend on numbers of contacts, computed once for models that differ only in such numbers.
     struct RestFindings(Vec<Vec<Finding>>);
     model.findings(|model| {
         let of_rest = MODEL_RULES.iter().filter(|(_, (depends_on, _))| *depends_on == Rest);

@@ -41,6 +41,7 @@ pub fn find_misplaced_spheres(model: &Model) -> Option<Finding> {
 }
 
 impl<'i> SpherePlaces<'i> {
+    /// The comparison with the model before scaling, if the caller gave one; else, the evidence in this file.
     pub(crate) fn of(model: &Model, inspected: &'i Inspection) -> Self {
         match &inspected.placement {
             Some(placement) if placement.unknown.is_none() => Self::Compared(placement),
@@ -65,6 +66,7 @@ impl<'i> SpherePlaces<'i> {
         }
     }
 
+    /// The findings about wrong places, with their remedies.
     pub(crate) fn findings(&self, model: &Model, remedies: &Remedies<'_>) -> Vec<FindingWithRemedy> {
         match self {
             Self::FileAlone(evidence) => {

@@ -65,6 +65,7 @@ pub(crate) struct KnownSide {
 }
 
 impl KnownSide {
+    /// The only side that has contacts of the reference, or else published ones; `None` if neither side or both have them.
     pub(crate) fn of(model: &Model, sides: &BothSides<'_>, inspected: &Inspection) -> Option<Self> {
         let reference = inspected.reference_contacts.as_ref();
         if let Some((side, reference)) =

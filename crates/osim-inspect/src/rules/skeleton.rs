@@ -52,6 +52,7 @@ pub(super) fn find_wrong_side_or_unlike_limbs(model: &Model) -> Vec<Finding> {
     limbs.find_odd_parent().or_else(|| limbs.find_unlike_bones()).into_iter().collect()
 }
 
+/// The joints from each body up to the trunk, and the bodies of both sides, by which left and right limbs are compared.
 struct LimbsFromFeet<'m> {
     model: &'m Model,
     /// For each body, the joint that connects it to its parent body.
@@ -74,6 +75,7 @@ impl<'m> LimbsFromFeet<'m> {
         std::iter::successors(Some(body), |body| self.parent(body)).take(MOST_BONES)
     }
 
+    /// A finding of `rule` at the joint above `body`.
     fn finding(&self, rule: &'static Rule, body: &str, text: String) -> Option<Finding> {
         let (joint, components) = (self.above.get(body)?, self.model.components());
         let id = components.at(joint.file, joint.element)?;

@@ -92,6 +92,7 @@ struct FarSphere<'m> {
 }
 
 impl<'m> BodyExtent<'m> {
+    /// The size of `body`, and how far its spheres may be; `None` if no bone of its limb has a length.
     fn of(body: &str, shape: &'m BodyShape, sides: &BothSides<'_>) -> Option<Self> {
         let has_side = Side::of_name(body).is_some();
         let limit =
@@ -243,6 +244,7 @@ struct FootExtents<'m> {
 }
 
 impl<'m> FootExtents<'m> {
+    /// The sphere centres of each foot of a model.
     fn of(sides: &BothSides<'m>) -> Self {
         let bodies: BTreeSet<&str> = sides.spheres().map(|(_, body, _)| body).collect();
         let mut extents = Self { bones: BodyBones::of(sides.model), places: BTreeMap::new() };

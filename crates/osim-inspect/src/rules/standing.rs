@@ -82,6 +82,7 @@ impl<'i> UnevenLimb<'i> {
         self.differs_by_more_than(WARNING_DIFFERENCE_RADII) && self.tilt_rad <= MOST_LEAN_RAD
     }
 
+    /// The lowest and the highest bottom of `limb`; `None` if the limb or its bottoms are not known.
     fn of(bottoms: &HashMap<&str, &'i Bottom>, limb: &'i LimbFigures) -> Option<Self> {
         limb.limb.as_ref()?;
         let of_limb = limb.spheres.iter().filter_map(|sphere| bottoms.get(sphere.path.as_str()));
@@ -93,6 +94,7 @@ impl<'i> UnevenLimb<'i> {
         Some(Self { limb, lowest, highest, difference_radii, tilt_rad })
     }
 
+    /// The finding of `rule` about this limb.
     fn finding(&self, rule: &'static Rule) -> Finding {
         let Self { limb, lowest, highest, difference_radii, tilt_rad } = self;
         let millimetres = readable(((highest.height_m - lowest.height_m) * 1e4).round() / 10.0);

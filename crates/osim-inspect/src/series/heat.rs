@@ -8,6 +8,7 @@ use osim_requests::{DropHeight, PlotRequest, Positive, QuantityChoice};
 
 use crate::series::{ContactBody, Point, SphereKind, impact_speed};
 
+/// The quantity that a heat map shows, and the fall from which it is computed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct HeatRequest {
     pub quantity: QuantityChoice,

@@ -20,6 +20,7 @@ pub enum ForceUnit {
     WeightShare,
 }
 
+/// The units of a plot's axes of indentation and of force.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct PlotUnits {
     pub indentation: IndentationUnit,

@@ -142,6 +142,7 @@ fn nearest_distance(images: [DVec3; 2], place: DVec3) -> Option<f64> {
     images.into_iter().map(|image| image.distance(place)).reduce(f64::min)
 }
 
+/// The pairs of right and left bodies of a model, and the mirror that fits most of them.
 pub(crate) struct BodyPairs {
     /// Pairs of bodies by their common name without the side. Sorted, so that sums have the same last bit in each run.
     by_name: BTreeMap<String, LeftAndRightBody>,
@@ -165,6 +166,7 @@ impl LeftAndRightBody {
 }
 
 impl BodyPairs {
+    /// Pairs the moving bodies of `model` whose names differ only in the side.
     pub(crate) fn of(model: &Model) -> Self {
         let mut bodies: BTreeMap<String, [Option<&str>; 2]> = BTreeMap::new();
         for body in model.bodies().iter().filter(|body| !body.fixed) {
@@ -307,6 +309,7 @@ struct PlaceGrid {
 }
 
 impl PlaceGrid {
+    /// Sorts pairs of mirrored places into cubes whose edges are `cube_m` long.
     fn of(images: &[[DVec3; 2]], cube_m: f64) -> Self {
         let mut grid = Self { cube_m, cubes: HashMap::new() };
         for (index, both) in images.iter().enumerate() {

@@ -33,6 +33,7 @@ pub struct BothSides<'m> {
 }
 
 impl<'m> BothSides<'m> {
+    /// Pairs the spheres and the parameter sets of both sides of `model`.
     pub fn of(model: &'m Model) -> Self {
         let sets_by_sphere = SetsBySphere::of(model);
         let bones = BoneSizes::of(model);
@@ -165,12 +166,13 @@ fn pair_sets<'m>(pairs: &[SpherePair<'m>], sets_by_sphere: &SetsBySphere<'m>) ->
 
 // Differences between the contacts of two spheres that are counterparts.
 
-/// A relative difference of radii up to this is small. Radii of published models differ by up to 5.7 % between the sides.
+/// The radii of a left and a right sphere differ little if they differ by at most this, relatively. Radii of published models differ by up
+/// to 5.7 % between the sides.
 const SMALL_RADIUS_DIFFERENCE: f64 = 0.1;
-/// A ratio of radii follows a ratio of bones if the two ratios differ by at most this, relatively.
+/// The radii of a left and a right sphere differ as their bones do if the two ratios differ by at most this, relatively.
 const FOLLOWS_BONES_TOLERANCE: f64 = 0.01;
-/// A ratio of transition velocities up to this is small. The velocities differ by 5 % in one published model, and by 200 times in models
-/// with a typing mistake.
+/// The transition velocities of both sides differ little if their ratio is at most this. The velocities differ by 5 % in one published
+/// model, and by 200 times in models with a typing mistake.
 const SMALL_VELOCITY_RATIO: f64 = 1.2;
 
 /// A number that differs between the sides.
@@ -225,7 +227,8 @@ impl<'m> UsualNumbers<'m> {
         Self { model, counts: OnceCell::new() }
     }
 
-    /// The number of other contacts with the number of `value`, if these are more than half of the contacts that are not compared.
+    /// How many other contacts have the number of `value`, if they are the majority of all contacts besides the two that are compared;
+    /// else `None`. The other of the two is then the odd one.
     fn majority_with(&self, value: &Value) -> Option<usize> {
         let counts = self.counts.get_or_init(|| NumberCounts::of(self.model));
         let count = counts.by_number.get(&(value.property, value.number.to_bits()))?.saturating_sub(1);

@@ -23,6 +23,7 @@ pub(crate) struct SpherePair<'m> {
     pub bodies: Option<BodyPair<'m>>,
 }
 
+/// A sphere without a counterpart on the other side.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct UnpairedSphere<'m> {
     pub sphere: SideSphere<'m>,
@@ -38,6 +39,7 @@ pub(crate) struct SpherePairs<'m> {
 }
 
 impl<'m> SpherePairs<'m> {
+    /// Pairs the `spheres` of both sides: on bodies that are counterparts first, then across bodies.
     pub(crate) fn of(spheres: Vec<SideSphere<'m>>, bodies: &'m BodyPairs, bones: &BoneSizes<'_>) -> Self {
         let mut result = Self::default();
         let mut left_over = Vec::new();
@@ -179,6 +181,7 @@ pub(crate) struct SideSphere<'m> {
 pub(crate) struct SetsBySphere<'m>(BTreeMap<SphereId, Vec<(&'m Force, &'m ParameterSet)>>);
 
 impl<'m> SetsBySphere<'m> {
+    /// The parameter sets of all forces of `model` that can press a moving sphere on a half-space.
     pub(crate) fn of(model: &'m Model) -> Self {
         let mut sets: BTreeMap<SphereId, Vec<_>> = BTreeMap::new();
         for force in model.forces().iter().filter(|force| model.meets_half_space(force)) {
@@ -189,6 +192,7 @@ impl<'m> SetsBySphere<'m> {
         Self(sets)
     }
 
+    /// The forces, with their parameter sets, by which `sphere` meets a floor.
     pub(crate) fn get(&self, sphere: SphereId) -> &[(&'m Force, &'m ParameterSet)] {
         self.0.get(&sphere).map(Vec::as_slice).unwrap_or_default()
     }
@@ -215,7 +219,7 @@ impl<'m> SetsBySphere<'m> {
     }
 }
 
-/// A key for a place. Places that are the same have the same key.
+/// A key for a place on a body. Places that differ only by rounding have the same key.
 pub(crate) fn place_key(place_m: DVec3) -> [i64; 3] {
     place_m.to_array().map(|value| (value / SAME_PLACE_M).round() as i64)
 }

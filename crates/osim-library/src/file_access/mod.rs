@@ -41,6 +41,7 @@ pub(crate) enum FileKinds {
     Streams,
 }
 
+/// Why a file was not read.
 #[derive(Debug)]
 pub(crate) enum ReadRefusal {
     /// The operating system reports an error when the file is opened or read.

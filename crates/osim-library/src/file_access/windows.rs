@@ -11,6 +11,7 @@ pub(super) fn options_without_waiting(options: &mut OpenOptions) -> &mut OpenOpt
     options
 }
 
+/// Windows' error for a file that another process has open.
 const ERROR_SHARING_VIOLATION: i32 = 32;
 
 /// Opens a file so that nobody else can open it for writing. A lock would also forbid other processes, and other handles of this

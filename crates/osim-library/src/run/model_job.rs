@@ -71,6 +71,7 @@ pub struct OutcomeCounts {
 }
 
 impl OutcomeCounts {
+    /// Counts the outcome of one more model.
     pub(super) fn add<S>(&mut self, outcome: &ModelOutcome<S>) {
         if outcome.earlier {
             self.earlier += 1;
@@ -92,6 +93,7 @@ impl OutcomeCounts {
     }
 }
 
+/// The work on one model of a run: open it, plan its change, and write the result.
 pub(super) struct ModelJob<'j, F> {
     pub(super) context: &'j RunContext<'j>,
     pub(super) front_end: &'j F,

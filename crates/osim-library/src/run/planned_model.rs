@@ -19,6 +19,7 @@ use crate::run::{ChangedModel, Record, RunRequest, Status};
 use crate::write::{OutputFolders, WriteMode, hard_link_finding};
 use crate::{LoadedModel, ModelOrigin, ModelSource, file_access, sha256};
 
+/// A model with the change that is planned for it, before anything is written.
 pub struct PlannedModel {
     source: ModelSource,
     /// The files that belong to the model, without the bytes of the model itself.

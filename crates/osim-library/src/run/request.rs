@@ -35,6 +35,7 @@ pub struct RunRequest {
 }
 
 impl RunRequest {
+    /// A request with these tasks, without models that could not be listed.
     pub(super) fn new(verb: Verb, tasks: Vec<Task>) -> Self {
         Self {
             verb,

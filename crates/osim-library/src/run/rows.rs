@@ -94,6 +94,7 @@ impl<'r> RowReader<'r> {
 /// The settings of rows by their text. Rows that differ only in model and output share one value.
 type SharedSettings = HashMap<String, Arc<JobSettings>>;
 
+/// A table of models whose rows become the tasks of a run.
 struct TableRows<'r> {
     table: Table,
     /// The output options of the call, for rows without an output.

@@ -14,6 +14,7 @@ use crate::run::summary_lines::SummaryFormat;
 use crate::run::{Record, Task};
 use crate::{LibraryFault, PendingFile, WriteMode};
 
+/// The summary of a run while it is written: a line for each model.
 pub(super) struct SummaryWriter {
     format: SummaryFormat,
     /// The folder in which relative names in the lines begin, as a path from the folder of the summary.
@@ -24,6 +25,7 @@ pub(super) struct SummaryWriter {
     summary: Mutex<OrderedLines>,
 }
 
+/// The lines of a summary in the order of the models.
 struct OrderedLines {
     file: PendingFile,
     /// Names of the user's own columns; `None` before the first line.
@@ -33,6 +35,7 @@ struct OrderedLines {
 }
 
 impl OrderedLines {
+    /// Adds the line of the next model; before the first line, the header.
     fn add_line(&mut self, format: SummaryFormat, record: &Record) -> Result<(), LibraryFault> {
         let line = format.record_line(record, self.user_columns.is_none())?;
         let names = || record.user_columns.iter().map(|(name, _)| name.clone()).collect();
@@ -42,6 +45,8 @@ impl OrderedLines {
 }
 
 impl SummaryWriter {
+    /// Begins the summary and its partial file; `None` if the options name no summary.
+    ///
     /// # Errors
     /// The file exists, and the run neither resumes nor replaces it; or another run is writing it.
     pub(super) fn begin(options: &RunOptions, force: bool) -> Result<Option<Self>, LibraryFault> {

@@ -21,6 +21,7 @@ pub(super) enum SummaryFormat {
 }
 
 impl SummaryFormat {
+    /// The format that the ending of the name means.
     pub(super) fn of_path(path: &Path) -> Result<Self, LibraryFault> {
         match path.extension().map(std::ffi::OsStr::to_ascii_lowercase) {
             Some(extension) if extension == "csv" => Ok(Self::Csv),
@@ -95,6 +96,8 @@ pub(super) struct PreviousLines {
 }
 
 impl PreviousLines {
+    /// Opens a summary, to read its lines.
+    ///
     /// # Errors
     /// The file cannot be read, or its last line is incomplete although `may_end_in_a_line` is false.
     pub(super) fn open(

@@ -32,6 +32,7 @@ pub struct Task {
 }
 
 impl Task {
+    /// The task to change the model `source`, and to write the result as the output options say.
     pub(super) fn new(source: ModelSource, output: &OutputOptions, settings: Arc<JobSettings>) -> Self {
         let geometry = settings.change.set_files.geometry.as_deref();
         Self {
@@ -66,6 +67,7 @@ pub(super) struct JobSettings {
 }
 
 impl JobSettings {
+    /// The settings of a change, and of the files that it writes.
     pub(super) fn new(change: Arc<PreparedChange>, output: &OutputOptions) -> Self {
         let OutputOptions { in_place, no_backup, force, .. } = *output;
         Self { change, in_place, no_backup, force, digest: OnceLock::new() }
@@ -85,6 +87,7 @@ impl JobSettings {
     }
 }
 
+/// Where the result for one model is written.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum ResultDestination {
     /// The result is written to standard output.
@@ -103,6 +106,7 @@ impl ResultDestination {
         }
     }
 
+    /// Where the result for `source` is written, by the output options.
     fn of_source(source: &ModelSource, output: &OutputOptions) -> Self {
         if let Some(path) = &output.output {
             return if path.as_os_str() == "-" { Self::Stdout } else { Self::File(path.clone()) };

@@ -26,6 +26,8 @@ pub struct GeometryResult<'m> {
 }
 
 impl<'m> ResultBytes<'m> {
+    /// The new bytes of the model, and of its geometry set if the task changes it.
+    ///
     /// # Errors
     /// Edits overlap, which is a defect of this program.
     pub(super) fn of_task(task: &Task, plan: &'m Plan, model: &'m Model) -> Result<Self, Fault> {
@@ -46,6 +48,7 @@ impl<'m> ResultBytes<'m> {
     }
 }
 
+/// What was written for one model.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum WrittenOutput {
     /// No file was written, for this reason.

@@ -69,6 +69,7 @@ struct StampedDisk {
 }
 
 impl StampedDisk {
+    /// The disk, from which only these kinds of files are read.
     pub(super) fn new(kinds: FileKinds) -> Self {
         Self { kinds, stamps: RefCell::default() }
     }
@@ -104,6 +105,7 @@ pub struct FileStamp {
 }
 
 impl FileStamp {
+    /// The stamp of a file with this metadata.
     fn of(metadata: Metadata) -> Self {
         let modified = metadata.modified().ok();
         Self { metadata, modified }
@@ -150,6 +152,7 @@ pub struct LoadedModel {
     pub origin: ModelOrigin,
 }
 
+/// Where the files of a model were read, and their stamps, by which later changes are noticed.
 pub struct ModelOrigin {
     path: PathBuf,
     /// Stamps of files on the disk; standard input and models in memory have none.

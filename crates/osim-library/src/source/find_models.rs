@@ -16,6 +16,7 @@ use crate::paths::{Resolver, resolved};
 /// Default ending of the name of a folder with the variants of a sweep. Folders with this ending are not searched for models.
 pub(crate) const SWEEP_FOLDER_ENDING: &str = ".sweep";
 
+/// The path of one model, and how the user named it: itself, by its folder, or in a table.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ModelSource {
     /// The path of the model; `-` is standard input.

@@ -14,9 +14,11 @@ const ZIP_SIGNATURE: &[u8] = b"PK\x03\x04";
 
 /// Most rows of a sheet in Excel.
 const MOST_ROWS: u32 = 1_048_576;
+/// Most columns of a sheet in Excel.
 const MOST_COLUMNS: u32 = 16_384;
-/// Most digits and letters in the reference of a cell.
+/// Most digits of the row in the reference of a cell.
 const MOST_ROW_DIGITS: usize = 7;
+/// Most letters of the column in the reference of a cell.
 const MOST_COLUMN_LETTERS: usize = 3;
 /// Most cells in the smallest rectangle around all filled cells of a sheet.
 const MOST_CELLS: usize = 10_000_000;

@@ -41,6 +41,7 @@ pub struct SweepRun<'s> {
     folder: PathBuf,
 }
 
+/// How a sweep ended: its table, and how many variants had which outcome.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct SweepEnd {
     /// The table of the variants of this run, if the run made any.
@@ -59,6 +60,7 @@ pub struct SweepEnd {
     pub not_begun: usize,
 }
 
+/// The outcome for one variant of a sweep.
 enum VariantOutcome {
     /// The variant is written, and `row` is its line in the table.
     Row { row: Vec<u8>, number: usize, contacts: String, earlier: bool, worse: bool },
@@ -360,6 +362,7 @@ pub struct OtherModels {
 }
 
 impl OtherModels {
+    /// Finds models in `folder` whose names look like those of variants that this sweep does not make.
     fn find(folder: &Path, plan: &SweepPlan<'_>) -> Self {
         let is_like = |name: &OsString| name.to_str().is_some_and(|name| plan.is_like_file_name(name));
         let entries = std::fs::read_dir(folder).into_iter().flatten().flatten();

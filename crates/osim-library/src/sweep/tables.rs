@@ -14,6 +14,7 @@ use crate::file_access::{NameDigest, digest_of_name};
 use crate::partial::{PartialFile, end_of_lines};
 use crate::paths::make_folder_of;
 
+/// The tables of a sweep in the folder of its variants: of all variants, and of parts that other runs make.
 pub(super) struct SweepTables<'p> {
     folder: &'p Path,
     plan: &'p SweepPlan<'p>,
@@ -25,6 +26,7 @@ pub(super) struct SweepTables<'p> {
 }
 
 impl<'p> SweepTables<'p> {
+    /// The tables of `plan` in `folder`.
     pub(super) fn new(folder: &'p Path, plan: &'p SweepPlan<'p>) -> Self {
         let part = plan.part_table_name().map(|name| folder.join(name));
         Self { folder, plan, whole: folder.join(plan.table_name()), part, parts: OnceLock::new() }
@@ -94,6 +96,7 @@ impl<'p> SweepTables<'p> {
 // They are in the tables of the last sweep that came to its end, and, name and digest alone, in `TABLE.partial`, which stays
 // until every variant is made. That a file is as it should be needs neither: its bytes say it.
 
+/// The files that runs of a sweep wrote, by the tables that list them.
 pub(super) struct WrittenFiles<'t> {
     tables: &'t SweepTables<'t>,
     /// Files in the table of this run.

@@ -18,6 +18,7 @@ use crate::file_access::sha256_of_parts;
 use crate::write::replace::backup_names;
 use crate::write::temporary;
 
+/// The result of exchanging two files.
 #[cfg_attr(
     not(any(target_os = "linux", target_vendor = "apple")),
     expect(dead_code, reason = "other systems cannot do it, and say only that")
@@ -51,6 +52,7 @@ pub(super) fn exchange(_one: &Path, _other: &Path) -> ExchangeOutcome {
     ExchangeOutcome::NotPossible
 }
 
+/// The text in the name of a file that an exchange displaced, before host, process and digest.
 const INFIX_OF_REPLACED: &str = ".replaced-";
 
 /// The longest name that most file systems allow, in bytes.

@@ -37,6 +37,7 @@ pub(crate) struct ReplacementFile<'b> {
     pub(crate) backup: Option<PathBuf>,
 }
 
+/// A model that has just been replaced by its new file; the old file is still there to undo it.
 pub(crate) struct ExchangedModel<'b> {
     /// The displaced old file; `None` if it is gone, because this system cannot exchange files.
     displaced: Option<NamedTempFile>,

@@ -33,7 +33,8 @@ pub fn write_files<'f>(
     pending.into_iter().try_for_each(PendingFile::commit)
 }
 
-/// Files in the output folders that the run has to know, as they were when the run began.
+/// What the output folders had when the run began: compiled models, which other programs would use instead of the results, and files that
+/// a killed run left.
 #[derive(Debug, Default)]
 pub struct OutputFolders {
     compiled_names: HashMap<PathBuf, Vec<String>>,

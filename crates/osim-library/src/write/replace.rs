@@ -23,6 +23,7 @@ pub struct PendingFile {
     mode: WriteMode,
 }
 
+/// Whether a new file may replace an existing one, and whose owner and group it gets.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum WriteMode {
     /// Only a new file is written: nothing is replaced.

@@ -16,7 +16,9 @@ use tempfile::NamedTempFile;
 
 use crate::file_access;
 
+/// The beginning of the name of a temporary file; host and process follow.
 const TEMPORARY_PREFIX: &str = ".osim-contact-scale-";
+/// The end of the name of a temporary file.
 const TEMPORARY_SUFFIX: &str = ".tmp";
 
 /// A new file in `folder` that only this process writes, with the mode bits of `like`.

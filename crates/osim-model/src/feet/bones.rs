@@ -40,6 +40,7 @@ pub struct AttachedBones<'m> {
 }
 
 impl<'m> AttachedBones<'m> {
+    /// The meshes that are attached to each body of `model`.
     pub fn of(model: &'m Model) -> Self {
         let bodies = model.bodies().iter().map(|body| (body.name.as_str(), Vec::new()));
         let mut attached: HashMap<&str, Vec<AttachedMesh>> = bodies.collect();
@@ -126,6 +127,7 @@ fn point_on_body(attached: &AttachedMesh, mirrored: bool, [x, y, z]: [f64; 3]) -
     attached.on_body([x, y, if mirrored { -z } else { z }]).to_array()
 }
 
+/// A mesh file that was found and read; `mirrored` if it is the bone of the other side.
 struct MeshFile {
     file: PathBuf,
     mirrored: bool,

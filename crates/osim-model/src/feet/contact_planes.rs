@@ -88,6 +88,7 @@ impl Deref for ContactPlane {
 }
 
 impl PlaneSurface {
+    /// The surface of `plane` in ground at the default pose; `None` if its place is not known.
     fn of(model: &Model, plane: &HalfSpace, pose: &DefaultPose) -> Option<Self> {
         let (normal, point_m) = plane.normal.zip(plane.point_m)?;
         let carrier = match &plane.body {
@@ -115,6 +116,7 @@ struct PlanesWithSpheres {
 }
 
 impl PlanesWithSpheres {
+    /// Adds spheres that press on a plane.
     fn add(&mut self, plane: Arc<HalfSpace>, spheres: Vec<SphereId>) {
         if spheres.is_empty() {
             return;

@@ -43,6 +43,7 @@ pub struct Couplers {
 }
 
 impl Couplers {
+    /// Reads the coupler constraints of `model`.
     pub fn of(model: &Model) -> Self {
         let mut couplers = Self { couplers: Vec::new(), unknown: Vec::new() };
         for (document, constraint) in enforced_constraints(model) {
@@ -205,6 +206,7 @@ pub(crate) struct CoordinateStates<'m> {
 }
 
 impl<'m> CoordinateStates<'m> {
+    /// Finds which coordinates of `model` couplers determine.
     pub(crate) fn of(model: &'m Model) -> Self {
         let couplers = Couplers::of(model).couplers.into_iter();
         Self { model, dependent: couplers.map(|coupler| coupler.dependent).collect() }

@@ -32,6 +32,7 @@ const SAME_PLACE_M: f64 = 1e-9;
 #[derive(Debug, Clone, PartialEq)]
 pub struct DefaultPose(Arc<Placements>);
 
+/// The placements of all bodies in ground at the default pose.
 #[derive(Debug, Clone, PartialEq)]
 struct Placements {
     placements: HashMap<String, Result<Placement, PoseFault>>,
@@ -40,6 +41,7 @@ struct Placements {
 }
 
 impl DefaultPose {
+    /// The default pose of `model`, which is computed once for each model.
     pub fn of(model: &Model) -> Self {
         Self(Arc::clone(model.derived_from_bodies(|model| Arc::new(Placements::of(model)))))
     }
@@ -182,6 +184,7 @@ pub(crate) struct WeldedGroups<'j> {
 }
 
 impl<'j> WeldedGroups<'j> {
+    /// Groups the bodies that WeldJoints among `joints` connect.
     pub(crate) fn of(joints: &'j [ModelJoint]) -> Self {
         let mut welds = Self { representatives: HashMap::new() };
         for joint in joints.iter().filter(|joint| joint.class == "WeldJoint") {

@@ -24,6 +24,7 @@ pub struct Mobility {
     pub slides: bool,
 }
 
+/// The joint above a body: its parent body, and the movements that it allows.
 #[derive(Debug, Clone)]
 struct JointAbove {
     /// The parent body of the joint; `None` is ground.
@@ -53,18 +54,22 @@ struct PathEnd {
 }
 
 impl Mobility {
+    /// Rotations and translations.
     const ALL: Self = Self { turns: true, slides: true };
 
+    /// Whether any movement is possible.
     pub const fn is_any(self) -> bool {
         self.turns || self.slides
     }
 
+    /// The movements that one or the other allows.
     fn or(self, other: Self) -> Self {
         Self { turns: self.turns || other.turns, slides: self.slides || other.slides }
     }
 }
 
 impl Movements {
+    /// The movements of the bodies of `model`, which are computed once for each model.
     pub fn of(model: &Model) -> Self {
         Self(Arc::clone(model.derived_from_bodies(|model| Arc::new(PathsToGround::of(model)))))
     }
@@ -98,6 +103,7 @@ impl Movements {
 }
 
 impl PathsToGround {
+    /// Finds the joint above each body of `model`.
     fn of(model: &Model) -> Self {
         let coordinates = Coordinates {
             model,
@@ -165,6 +171,7 @@ struct Coordinates<'m> {
 }
 
 impl Coordinates<'_> {
+    /// The movements that the free coordinates of a joint allow.
     fn mobility_of(&self, joint: &ModelJoint) -> Mobility {
         if joint.coordinates.is_empty() {
             return mobility_of_class(&joint.class);
@@ -195,6 +202,7 @@ fn mobility_of_class(class: &str) -> Mobility {
     }
 }
 
+/// The movements by which two placements differ.
 fn mobility_between(here: &Placement, there: &Placement) -> Mobility {
     let differ = |a: DVec3, b: DVec3| (a - b).abs().cmpgt(DVec3::splat(EQUAL_MOVEMENT_TOLERANCE)).any();
     let turned = |axis| differ(here.rotation.to_body(axis), there.rotation.to_body(axis));

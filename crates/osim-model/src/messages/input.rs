@@ -223,8 +223,6 @@ inputs! {
 
 named! {
     /// A task that this program can do with models, such as `rescale`.
-    /// A task that this program can do with models, such as `rescale`.
-    /// A task that this program can do with models, such as `rescale`.
     pub enum Verb {
         /// A model's own contacts at another mass.
         Rescale = "rescale",
@@ -269,6 +267,7 @@ named! {
 
 // Inputs and calls as they are in a sentence.
 
+/// A part of a message: text, an input, a call, or a choice between two texts.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum PhrasePart {
     Text(Cow<'static, str>),
@@ -280,6 +279,7 @@ pub enum PhrasePart {
     Either(Input, Box<[Vec<PhrasePart>; 2]>),
 }
 
+/// An example of an input's value in a message.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Example {
     /// A word in place of a value that the reader knows, such as `KG`.
@@ -288,6 +288,7 @@ pub enum Example {
     Value(String),
 }
 
+/// A call of a verb in a message, with the inputs that it gives.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Call {
     pub verb: Verb,
@@ -301,14 +302,17 @@ impl Verb {
         self.as_str()
     }
 
+    /// The verb with exactly this name.
     pub fn find(name: &str) -> Option<Self> {
         Self::ALL.iter().copied().find(|verb| verb.name() == name)
     }
 
+    /// The verb as a call without inputs.
     pub const fn call(self) -> Call {
         Call { verb: self, with_model: false, inputs: Vec::new() }
     }
 
+    /// The verb as a call that names a model.
     pub const fn call_with_model(self) -> Call {
         Call { verb: self, with_model: true, inputs: Vec::new() }
     }
@@ -321,11 +325,13 @@ impl Call {
         self
     }
 
+    /// The call with an input that has no value.
     pub(crate) fn with_flag(mut self, input: Input) -> Self {
         self.inputs.push((input, None));
         self
     }
 
+    /// The call with an input and its value.
     pub fn with_value(mut self, input: Input, value: impl Into<String>) -> Self {
         self.inputs.push((input, Some(Example::Value(value.into()))));
         self

@@ -48,6 +48,7 @@ impl Phrase {
         })
     }
 
+    /// Adds a part at the end.
     pub fn push(&mut self, part: impl IntoParts) {
         self.0.extend(part.into_parts());
     }

@@ -17,6 +17,7 @@ const FIRST_VERSION_WITH_ATTACHED_GEOMETRY: u32 = 30502;
 /// The last document version in which OpenSim also reads the list `<geometry>`.
 const LAST_WITH_GEOMETRY_LIST: u32 = 30505;
 
+/// A mesh file that is attached to a body, with its scale factors and placement.
 #[derive(Debug, Clone, PartialEq)]
 pub struct AttachedMesh {
     pub body: String,
@@ -143,6 +144,7 @@ impl Model {
 }
 
 impl BodyShape {
+    /// The shapes of all bodies of `model`, by name.
     fn all(model: &Model) -> HashMap<String, Self> {
         let components = model.components();
         let mut shapes: HashMap<String, Self> = HashMap::new();

@@ -24,6 +24,7 @@ pub struct ValueKey {
 }
 
 impl ValueKey {
+    /// The key of `property` of an object in a file.
     pub(crate) const fn new(file: FileId, object: ElementId, property: Property) -> Self {
         Self { file, object, property }
     }

@@ -226,6 +226,7 @@ impl SidesPresent {
         self.right && self.left
     }
 
+    /// Adds the sides that the other group has.
     fn add(&mut self, other: Self) {
         self.right |= other.right;
         self.left |= other.left;

@@ -53,6 +53,7 @@ pub struct MassRequest {
     pub other_rows: BTreeMap<Input, MassesOfOtherRows>,
 }
 
+/// Where a mass comes from.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum MassSource {
     /// The caller gave the mass for which the contacts were made.
@@ -106,6 +107,7 @@ impl MassSource {
     }
 }
 
+/// A mass in kg, with its source.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Mass {
     pub kg: f64,

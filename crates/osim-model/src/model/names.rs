@@ -77,6 +77,7 @@ pub struct Pattern {
     matcher: GlobSet,
 }
 
+/// Why a text is not a pattern of names.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("{0}")]
 pub struct PatternError(String);

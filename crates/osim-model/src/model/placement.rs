@@ -7,6 +7,7 @@ use glam::{DMat3, DVec3};
 pub struct Rotation(DMat3);
 
 impl Rotation {
+    /// No rotation.
     pub const IDENTITY: Self = Self(DMat3::IDENTITY);
 
     fn from_rows(rows: [[f64; 3]; 3]) -> Self {
@@ -87,6 +88,7 @@ impl Rotation {
 /// Two axes are equally near to up if their cosines differ by at most this.
 const EQUAL_AXES_TOLERANCE: f64 = 1e-9;
 
+/// An axis of a frame.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Axis {
     X,
@@ -95,6 +97,7 @@ pub enum Axis {
 }
 
 impl Axis {
+    /// The three axes, x first.
     const ALL: [Self; 3] = [Self::X, Self::Y, Self::Z];
 
     pub const fn index(self) -> usize {
@@ -193,6 +196,7 @@ pub struct Placement {
 }
 
 impl Placement {
+    /// The placement of a frame in itself.
     pub const IDENTITY: Self = Self { rotation: Rotation::IDENTITY, translation_m: DVec3::ZERO };
 
     /// The placement from OpenSim's `orientation` (body-fixed angles about x, y, z, rad) and `translation` (m).

@@ -60,6 +60,7 @@ impl Property {
         Self::Radius,
     ];
 
+    /// OpenSim's name of the property.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Stiffness => "stiffness",
@@ -243,6 +244,7 @@ impl Class {
 }
 
 named! {
+    /// Where OpenSim finds the value of a property.
     pub enum ValueOrigin {
         /// The element of the property in the object itself.
         Element = "element",

@@ -9,10 +9,12 @@ use crate::model::{
 };
 
 impl Model {
+    /// Reads a model from the bytes of its only file.
     pub fn parse(bytes: impl Into<Vec<u8>>) -> Result<Self, Fault> {
         Self::read(Document::parse(bytes)?)
     }
 
+    /// Reads a model that is in one file.
     pub fn read(document: Document) -> Result<Self, Fault> {
         Self::read_with(document, vec![])
     }

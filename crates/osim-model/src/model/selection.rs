@@ -118,6 +118,7 @@ fn is_complete(model: &Model, forces: &[ForceId]) -> bool {
     default.all(|force| forces.binary_search(&force.id).is_ok())
 }
 
+/// The largest number of names of forces or components in a message.
 const MOST_NAMES_SHOWN: usize = 6;
 
 impl Model {

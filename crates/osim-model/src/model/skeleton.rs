@@ -148,6 +148,7 @@ impl Skeleton {
 }
 
 impl JointRelations {
+    /// Reads the joints, and finds the parent and the topmost body of each body.
     fn read(components: &Components) -> Self {
         let mut joined = Self::default();
         let mut links = Vec::new();

@@ -205,6 +205,7 @@ impl BodyFacts {
 #[derive(Debug, Default)]
 struct DerivedValues(OnceLock<Box<DerivedValue>>);
 
+/// A value that was computed from a model, and the list of further values.
 #[derive(Debug)]
 struct DerivedValue {
     value: Box<dyn Any + Send + Sync>,
@@ -231,6 +232,7 @@ impl DerivedValues {
         }
     }
 
+    /// The value of type `T`, if it was computed already.
     fn get<T: Any>(&self) -> Option<&T> {
         let links = std::iter::successors(self.0.get(), |link| link.next.0.get());
         links.into_iter().find_map(|link| link.value.downcast_ref())

@@ -1,5 +1,6 @@
 //! Finds the line and the column of a byte.
 
+/// A place in a file: byte, line and column.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct TextPosition {
     /// Number of bytes of the file before the place.
@@ -24,6 +25,7 @@ pub struct LineIndex {
     blocks: Vec<BeforeBlock>,
 }
 
+/// What is before a block of a file: line ends, and letters after the last one.
 #[derive(Debug, Clone, Copy, Default)]
 struct BeforeBlock {
     line_ends: usize,

@@ -14,6 +14,7 @@ const FEWEST_FILE_BYTES_PER_PIECE: usize = 8;
 const FEWEST_FILE_BYTES_PER_ELEMENT: usize = 20;
 /// Texts up to this number of bytes are searched in steps of eight bytes, longer texts by memchr.
 const MOST_SHORT_TEXT_BYTES: usize = 16;
+/// The number whose eight bytes are all 1.
 const ONE_IN_EACH_BYTE: u64 = u64::from_ne_bytes([1; 8]);
 
 /// The pieces and elements of `text`, whose first byte is byte `base` of the file (after a byte order mark). `None` if the file is not
@@ -37,6 +38,7 @@ pub(super) fn scan_plain(text: &str, base: usize) -> Option<(Vec<StoredPiece>, V
     complete.then_some((scan.pieces, scan.elements))
 }
 
+/// The state of the fast scan of a plain file.
 struct PlainScan<'t> {
     bytes: &'t [u8],
     /// Offset of the next byte to read.
@@ -53,6 +55,7 @@ impl PlainScan<'_> {
         self.bytes.get(at).copied().unwrap_or(0)
     }
 
+    /// Reads the next piece; `None` if the file is not plain there.
     fn piece(&mut self) -> Option<()> {
         if self.byte(self.at) != b'<' {
             return self.text();
@@ -65,11 +68,13 @@ impl PlainScan<'_> {
         }
     }
 
+    /// Stores the piece that ends at `end`.
     fn push(&mut self, kind: PieceKind, end: usize) {
         self.pieces.push(StoredPiece { start: self.at as u32, kind });
         self.at = end;
     }
 
+    /// Reads the text up to the next tag; `None` if the file is not plain there.
     fn text(&mut self) -> Option<()> {
         let rest = self.bytes.get(self.at..)?;
         let length = text_length(rest);

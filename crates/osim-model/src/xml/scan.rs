@@ -134,6 +134,7 @@ fn refuse_foreign_encodings(bytes: &[u8]) -> Result<(), Fault> {
     Ok(())
 }
 
+/// The state of the full scan of a file by quick-xml.
 struct Scanner<'t> {
     text: &'t str,
     /// Length of the byte order mark. The parser quick-xml gets the text after it.
@@ -203,6 +204,7 @@ impl<'t> Scanner<'t> {
         self.finish()
     }
 
+    /// Stores the piece that begins at `start`.
     fn push(&mut self, start: usize, kind: PieceKind) {
         // Offsets fit: the length was checked before scanning.
         self.pieces.push(StoredPiece { start: start as u32, kind });

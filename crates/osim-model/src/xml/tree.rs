@@ -3,6 +3,7 @@
 use std::borrow::Cow;
 use std::ops::Range;
 
+/// What a piece of a file is: a tag, a text, or another part of XML.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[repr(u8)]
 pub enum PieceKind {
@@ -45,6 +46,7 @@ pub(super) struct StoredPiece {
 pub struct ElementId(u32);
 
 impl ElementId {
+    /// The first element, which contains all others.
     pub const ROOT: Self = Self(0);
 
     /// The index of the element in its file, from 0.
@@ -171,6 +173,7 @@ impl Tree {
         self.piece_span(self.element(id).close as usize)
     }
 
+    /// The tag name of an element.
     #[inline]
     pub fn name(&self, id: ElementId) -> &str {
         let element = self.element(id);

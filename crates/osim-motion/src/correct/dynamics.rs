@@ -19,6 +19,7 @@ pub(super) struct Masses<'m> {
     gravity_m_s2: DVec3,
 }
 
+/// The mass of one body, its centre and its inertia.
 struct BodyMass {
     /// Index of the body in the paths.
     index: usize,
@@ -55,6 +56,7 @@ impl CoordinateForce {
 const STEP_S: f64 = 1e-5;
 
 impl<'m> Masses<'m> {
+    /// The bodies of `model` that count for its mass.
     pub(super) fn new(model: &'m Model) -> Result<Self, StatesError> {
         let all = || model.bodies().iter().filter(|body| !body.excluded_from_mass);
         let paths = JointPaths::of(model, &all().map(|body| body.name.as_str()).collect::<HashSet<&str>>())?;

@@ -29,6 +29,7 @@ pub struct FootErrors {
     pub mean_lift_m: f64,
 }
 
+/// The numbers by which the correction of a motion is judged, such as the move of the spheres.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CorrectionFigures {
     pub feet: Vec<FootErrors>,
@@ -42,6 +43,7 @@ pub struct CorrectionFigures {
 const LEAST_LOAD_OF_SPHERE_BW: f64 = 0.02;
 
 impl CorrectionFigures {
+    /// Computes the numbers from the contacts `before` and `after` the correction.
     pub(super) fn new(
         setting: &CorrectionInputs<'_>,
         (before, after): (&ContactStates, &ContactStates),

@@ -8,11 +8,11 @@ use crate::{Belt, ContactStates, CoordinateKind, Foot, Recording, StatesError};
 
 /// A sole is flat if the lowest points of its spheres are at heights that differ by no more than this, m: spheres may be laid so.
 const FLAT_M: f64 = 0.01;
-/// How often each joint of the leg is turned in its turn.
+/// How often the joints of a leg are turned, one after the other, to lay its foot flat.
 const ROUNDS: usize = 20;
-/// The change of an angle that shows how the foot moves, rad.
+/// The change of a joint's angle that shows how the foot moves with it, rad.
 const NUDGE_RAD: f64 = 1e-4;
-/// A move of the foot counts as much as this part of it in the heights of the spheres.
+/// The weight of a move of the foot, compared with unequal heights of its spheres, in the search for a flat foot.
 const STAYING: f64 = 0.05;
 
 /// New default values of the coordinates with which the feet lie flat; none if all feet do already. Locked coordinates stay.

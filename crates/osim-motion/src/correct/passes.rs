@@ -31,6 +31,7 @@ pub struct Correction {
     pub dynamics: InverseDynamics,
 }
 
+/// Why a motion cannot be corrected.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum CorrectionError {
     /// No free coordinate moves all spheres along the normal of the floor by its own value.
@@ -53,24 +54,28 @@ impl From<MotionFault> for CorrectionError {
     }
 }
 
-/// The stages of a search: the depths over which contacts begin, m, and the factors of the transition velocity.
+/// The depth over which contacts begin in each stage of the search for a correction, m; with 0, they have the model's law. The search
+/// begins with soft contacts.
 const SOFT_DEPTHS_OF_STAGES_M: [f64; 8] = [0.02, 0.01, 0.005, 0.002, 0.002, 0.0, 0.0, 0.0];
+/// The factor of the transition velocity in each stage of the search for a correction; with 0, there is no friction.
 const TRANSITION_FACTORS_OF_STAGES: [f64; 8] = [0.0, 0.0, 0.0, 0.0, 10.0, 10.0, 3.0, 1.0];
+/// The index of the last stage of the search for a correction. Later passes have only this stage.
 const LAST_STAGE: usize = 7;
 
-/// The contacts are read along the motion at least twice, at most four times.
+/// The contacts are read along the corrected motion at least this many times.
 const LEAST_PASSES: usize = 2;
+/// The contacts are read along the corrected motion at most this many times.
 const MOST_PASSES: usize = 4;
-/// The relative change of the cost, if contacts are read again, below which law and motion agree.
+/// The search for a correction ends if the cost changes by less than this (relative) when the contacts are read again.
 const LARGEST_COST_CHANGE_AT_END: f64 = 0.001;
-/// Loaded feet that are slower than this stand on a floor at rest, m/s.
+/// If loaded feet are on average slower than this, m/s, they stand on a floor at rest, and not on a belt.
 const FASTEST_STANDING_FOOT_M_S: f64 = 0.4;
-/// The largest part of the belt's velocity that no coordinate of the root follows, m/s.
+/// The largest part of a belt's velocity that no coordinate of the root may follow, m/s; a larger part is an error.
 const LARGEST_UNFOLLOWED_BELT_M_S: f64 = 0.01;
 
-/// Stances that are shorter than this are contacts by chance, s.
+/// A stance that is shorter than this, s, is a contact by chance, and does not decide how fine a correction may be.
 const SHORTEST_STANCE_S: f64 = 0.08;
-/// The duration of a stance if the recording has no whole one, s.
+/// The duration of a stance that is assumed if the recording has no whole stance, s.
 const USUAL_STANCE_S: f64 = 0.5;
 
 /// Corrects `recording`, along which a model has the contacts `states`, to the forces that were `measured` under its `feet`.
@@ -170,6 +175,7 @@ pub fn correct(
     Ok(Correction { recording, root_height, floor_up_m, belt_m_s, belt_way_m: way_m, figures, dynamics })
 }
 
+/// The model, its recording and its contacts, for which a correction is searched.
 struct Search<'s> {
     model: &'s Model,
     couplers: Couplers,
@@ -181,7 +187,8 @@ struct Search<'s> {
 }
 
 impl Search<'_> {
-    /// Makes the cost small in stages and passes.
+    /// Searches the correction: reads the contacts along the motion in several passes, and makes the cost small in each, stage after
+    /// stage.
     fn run(&self, setting: &CorrectionInputs<'_>, unknowns: &mut Vec<f64>) -> Result<(), CorrectionError> {
         let mut cost = f64::INFINITY;
         for pass in 0..MOST_PASSES {

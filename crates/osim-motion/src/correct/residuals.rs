@@ -7,18 +7,19 @@ use super::solve::{CONSTANTS, NormalEquations, dot_product};
 use super::unknowns::{CorrectedCoordinate, CorrectionOptions, SplineBasis};
 use crate::ContactPair;
 
-/// An error of force that counts as much as a usual correction, body weights.
+/// A difference from the plates' force that counts as much as a correction of usual size, body weights.
 const USUAL_FORCE_ERROR_BW: f64 = 0.05;
-/// An error of the centre of pressure that counts as much as a usual correction, m.
+/// A difference from the plates' centre of pressure that counts as much as a correction of usual size, m.
 const USUAL_PRESSURE_ERROR_M: f64 = 0.01;
-/// A usual added acceleration of the whole body, m/s².
+/// An acceleration of the whole body, added by a correction, that counts as much as a correction of usual size, m/s².
 const USUAL_ADDED_ACCELERATION_M_S2: f64 = 0.03 * 9.81;
-/// The sum of squared moves of all spheres of a foot counts as much as this many spheres.
+/// The moves of all spheres of a foot together count as much as those of this many spheres.
 const COUNTED_SPHERES: f64 = 3.0;
-/// Usual heights of the floor (m) and velocities of the belt (m/s), which count as much as a hundredth of the frames.
+/// Usual sizes of the constants of a correction: the height of the floor (m) and two velocities of the belt (m/s).
 const USUAL_CONSTANTS: [f64; CONSTANTS] = [0.03, 2.0, 2.0];
+/// A constant of its usual size counts as much as usual corrections in this share of the frames.
 const SHARE_OF_FRAMES_PER_CONSTANT: f64 = 0.01;
-/// The usual size of a constant that stays 0.
+/// The usual size of a constant that has to stay 0: small, so that a change of it would cost very much.
 const USUAL_SIZE_OF_FIXED_CONSTANT: f64 = 1e-9;
 
 /// What a plate measured under a foot in one frame: the force along the normal and along both level directions, N, and the
@@ -36,7 +37,7 @@ pub(super) struct FootGoals<'p> {
     pub(super) goals: Vec<Option<PlateGoal>>,
 }
 
-/// What stays the same in all passes.
+/// The data for the correction of a motion that all passes of its search share.
 pub(super) struct CorrectionInputs<'p> {
     pub(super) basis: SplineBasis,
     pub(super) coordinates: Vec<CorrectedCoordinate>,
@@ -77,7 +78,7 @@ struct Row {
     by_constant: [f64; CONSTANTS],
 }
 
-/// The problem along one motion, in one stage.
+/// The least-squares problem of a correction, along one motion and in one stage of the search.
 pub(super) struct StageProblem<'s> {
     pub(super) setting: &'s CorrectionInputs<'s>,
     pub(super) slopes: Vec<FootSlopes>,
@@ -89,6 +90,7 @@ pub(super) struct StageProblem<'s> {
 }
 
 impl<'s> StageProblem<'s> {
+    /// The problem for the contacts in `slopes`, which were read along the motion after the corrections `read_at`.
     pub(super) fn new(setting: &'s CorrectionInputs<'s>, slopes: Vec<FootSlopes>, read_at: Vec<f64>) -> Self {
         let sizes = correction_sizes(setting, &slopes);
         Self { setting, slopes, read_at, stage: Stage { soft_m: 0.0, transition: 1.0 }, sizes }
@@ -149,12 +151,14 @@ impl<'s> StageProblem<'s> {
         }
     }
 
+    /// The sum of squares at these unknowns.
     pub(super) fn cost(&self, unknowns: &[f64]) -> f64 {
         let mut sum: f64 = self.sizes.times_vector(unknowns).iter().zip(unknowns).map(|(a, b)| a * b).sum();
         self.residuals(unknowns, false, |_, _, row| sum += row.residual * row.residual);
         sum
     }
 
+    /// The linearised problem at these unknowns.
     fn normal_equations(&self, unknowns: &[f64]) -> NormalEquations {
         let mut equations = self.sizes.clone();
         equations.gradient = self.sizes.times_vector(unknowns);
@@ -178,6 +182,7 @@ impl<'s> StageProblem<'s> {
 
 /// The relative decrease of the cost at which the search ends.
 const SMALLEST_DECREASE: f64 = 1e-5;
+/// The largest number of Gauss-Newton steps in one search.
 const MOST_STEPS: usize = 40;
 
 /// Makes the cost small by damped Gauss-Newton steps, and returns it.
@@ -204,7 +209,7 @@ pub(super) fn minimise(problem: &StageProblem<'_>, unknowns: &mut Vec<f64>) -> f
     cost
 }
 
-/// The squares of everything that a correction should keep small.
+/// The normal equations of all terms that keep a correction small: changes of coordinates, moves of spheres, accelerations and constants.
 fn correction_sizes(setting: &CorrectionInputs<'_>, slopes: &[FootSlopes]) -> NormalEquations {
     let (basis, coordinates) = (&setting.basis, &setting.coordinates);
     let count = coordinates.len();
@@ -260,9 +265,9 @@ pub(super) struct Stage {
     pub(super) transition: f64,
 }
 
-/// The width over which a softened law lets go of a sphere that rises, as a share of its force at rest.
+/// The width over which a soft force falls to 0 when a sphere leaves the floor fast, as a share of the force at rest.
 const RELEASE_WIDTH_SHARE: f64 = 0.1;
-/// Steps by which slopes are computed, in the order of a state.
+/// The steps by which slopes of a force are computed: depth, its rate, and both components of the slip.
 const SLOPE_STEPS: SphereState = [1e-7, 1e-6, 1e-6, 1e-6];
 
 /// The force on a sphere along the normal and along the two level directions, N.

@@ -18,7 +18,7 @@ fn sphere_numbers(state: &ContactState, level: [DVec3; 2]) -> SphereNumbers {
     [state.indentation_m, state.rate_m_s, slip, across, x, y, z]
 }
 
-/// The spheres of one foot along a motion.
+/// The spheres of one foot along a motion, and how corrections of coordinates change their depth and their speed.
 #[derive(Debug, Clone)]
 pub(super) struct FootSlopes {
     /// The numbers of the coordinates that move the foot, among the corrected ones.
@@ -29,7 +29,7 @@ pub(super) struct FootSlopes {
     slopes: Vec<[SphereNumbers; 2]>,
 }
 
-/// The change of a value by which slopes are computed, rad or m.
+/// The change of a coordinate by which the slopes of spheres are computed, rad or m.
 pub(super) const SLOPE_STEP: f64 = 1e-6;
 
 impl FootSlopes {

@@ -6,6 +6,7 @@ use osim_model::{DVec3, Model};
 use crate::coordinates::CoordinateKind;
 use crate::{Belt, ContactStates, Foot, Recording, StatesError};
 
+/// The options for the correction of a motion.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CorrectionOptions {
     /// Whether horizontal forces are left out.
@@ -53,7 +54,7 @@ const TRIAL_STEP: f64 = 1e-4;
 /// A sphere that moves by less than this part of the change of a coordinate does not follow it.
 const LEAST_MOVE: f64 = 1e-6;
 
-/// CoordinatesOfCorrection that a correction uses.
+/// The coordinates that the correction of a motion changes.
 #[derive(Debug, Clone, Default)]
 pub(super) struct CoordinatesOfCorrection {
     /// The height of the root, and then all coordinates that move the spheres of one foot; none if no coordinate is such a

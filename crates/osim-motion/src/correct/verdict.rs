@@ -29,8 +29,9 @@ pub enum Mismatch {
     OneFoot { apart_m: f64 },
 }
 
-/// The mean force under load between these, in body weights, is in a wrong unit; a smaller one, too.
+/// A mean force of the plates under load below this, in body weights, is in kilonewtons.
 const KILONEWTON_FORCE_BW: f64 = 0.01;
+/// A mean force of the plates under load between these, in body weights, is in pounds, if the feet never stand beside the plates.
 const POUND_FORCES_BW: (f64, f64) = (0.12, 0.4);
 /// A centre of pressure that is farther from its foot is in a wrong unit, m.
 const LARGEST_PRESSURE_DISTANCE_M: f64 = 0.5;
@@ -38,8 +39,9 @@ const LARGEST_PRESSURE_DISTANCE_M: f64 = 0.5;
 const SWAPPED_FOOT_DISTANCE_M: f64 = 0.1;
 /// A plate is under load above this part of its largest force.
 const LOADED_SHARE: f64 = 0.2;
-/// The largest delay that is looked for, and the smallest that counts, s.
+/// The largest delay of the plates that is looked for, s.
 const MOST_DELAY_S: f64 = 0.15;
+/// The smallest delay of the plates that counts, s.
 const LEAST_DELAY_S: f64 = 0.015;
 
 impl Mismatch {
@@ -49,7 +51,7 @@ impl Mismatch {
     }
 }
 
-/// Finds what is wrong before anything is corrected.
+/// Finds why plates, motion and contacts do not go together, before the motion is corrected: a sign, a unit, swapped feet or a delay.
 ///
 /// # Errors
 /// A model whose centre of mass is not known.
@@ -165,6 +167,7 @@ fn delay_s(time_s: &[f64], inertia: &[f64], force: &[f64]) -> Option<f64> {
 }
 
 named! {
+    /// The verdict on a recording: whether contacts, motion and force plates agree.
     pub enum MotionVerdict {
         Agree = "agree",
         LargeCorrection = "large-correction",
@@ -172,10 +175,11 @@ named! {
     }
 }
 
-/// The largest error of the vertical force that agrees, body weights.
+/// The largest error of the vertical force with which contacts and plates agree, body weights.
 const MOST_VERTICAL_BW: f64 = 0.1;
-/// The largest lift that agrees (95 % of all), and the largest difference of two feet, as multiples of a usual error.
+/// The largest vertical move of spheres that agrees (of 95 % of them), as a multiple of a usual error of places.
 const MOST_LIFT: f64 = 2.0;
+/// If one foot is lifted more than the other by this multiple of a usual error of places, the feet do not agree.
 const MOST_DIFFERENCE_OF_FEET: f64 = 2.5;
 
 impl CorrectionFigures {

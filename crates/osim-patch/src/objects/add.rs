@@ -14,6 +14,7 @@ use crate::{ContactLayout, NewContact, Plan};
 
 /// The letter for the floor in a note's list of elements that the program made.
 pub(super) const MARK_OF_MADE_FLOOR: char = 'h';
+/// The name of a floor that the program adds.
 const NAME_OF_FLOOR: &str = "floor";
 
 /// `model` with the contacts of `layout`: spheres, one force for each sphere, and a floor if the model has none. Every other byte
@@ -140,6 +141,7 @@ fn plane_path(own: Option<&HalfSpace>, made: Option<&str>) -> String {
         .unwrap_or_else(|| format!("/contactgeometryset/{}", made.unwrap_or(NAME_OF_FLOOR)))
 }
 
+/// A sphere that a plan adds, with the numbers that are written.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct NewSphere<'p> {
     pub name: &'p str,

@@ -20,6 +20,7 @@ use crate::rules;
 const SMOOTHING_PROPERTIES: [Property; 3] =
     [Property::ConstantContactForce, Property::HertzSmoothing, Property::HuntCrossleySmoothing];
 
+/// The options for the conversion of forces to another class.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Convert {
     pub to: ForceKind,
@@ -35,6 +36,7 @@ pub struct Convert {
 }
 
 impl Convert {
+    /// A conversion to the class `to`, in which all smoothing is computed.
     pub const fn new(to: ForceKind) -> Self {
         Self {
             to,

@@ -21,6 +21,7 @@ pub(super) struct ParentFrame<'c> {
     pub(super) path: &'c str,
 }
 
+/// Ground as the frame of new geometry.
 const GROUND_FRAME: ParentFrame<'static> = ParentFrame { name: "ground", path: "/ground" };
 
 impl ParentFrame<'_> {
@@ -160,6 +161,7 @@ fn has_default(document: &Document, class: Class, tag: &str) -> bool {
 pub(super) struct NamesInList(HashSet<String>);
 
 impl NamesInList {
+    /// The names of components of `model` that OpenSim would find before geometry with these names.
     pub(super) fn of(model: &Model) -> Self {
         let document = model.document();
         let tree = document.tree();

@@ -56,6 +56,7 @@ pub struct RebuiltModel {
     pub(crate) earlier_note: EarlierNote,
 }
 
+/// What happens to the earlier note of a model when objects change.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum EarlierNote {
     /// The earlier note is about these contacts: a new note replaces it.
@@ -69,6 +70,7 @@ pub(crate) enum EarlierNote {
 }
 
 impl RebuiltModel {
+    /// A rebuilt model; `made` are the letters of the elements that the program made in it.
     pub(crate) fn new(model: Model, objects: Vec<ObjectChange>, made: String) -> Self {
         let (model, added) = (Arc::new(model), Vec::new());
         Self { model, objects, made, added, earlier_note: EarlierNote::Replaced }
@@ -193,6 +195,7 @@ impl OuterSpans {
         Self(spans)
     }
 
+    /// Whether one of the spans contains `span`.
     pub(super) fn covers(&self, span: &Range<usize>) -> bool {
         let behind = self.0.partition_point(|own| own.start <= span.start);
         self.0[..behind].last().is_some_and(|own| span.end <= own.end)

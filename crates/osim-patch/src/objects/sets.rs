@@ -23,6 +23,7 @@ const ORDER_OF_SETS_IN_MODEL: [&str; 15] = [
     "ProbeSet",
     "ComponentSet",
 ];
+/// The tag of the list of members in a set.
 const OBJECTS_TAG: &str = "objects";
 
 /// `ForceSet` or `ContactGeometrySet`, with the letters by which a note says which elements of it the program made. With them, removing
@@ -38,6 +39,7 @@ pub(super) struct ObjectSet {
     opened: [[(char, EmptyForm); 3]; 2],
 }
 
+/// The set that has the forces of a model.
 pub(super) const FORCE_SET: ObjectSet = ObjectSet {
     tag: FORCE_SET_TAG,
     whole: 'f',
@@ -47,6 +49,7 @@ pub(super) const FORCE_SET: ObjectSet = ObjectSet {
         [('a', EmptyForm::Closed), ('d', EmptyForm::ClosedWithBlank), ('e', EmptyForm::Open)],
     ],
 };
+/// The set that has the contact geometry of a model.
 pub(super) const GEOMETRY_SET: ObjectSet = ObjectSet {
     tag: GEOMETRY_SET_TAG,
     whole: 'g',
@@ -92,7 +95,7 @@ impl ObjectSet {
         }
     }
 
-    /// The letters `made` of the note, without the letters for elements of this set.
+    /// A note's letters `made` for elements that the program made, without the letters for elements of this set.
     pub(super) fn without_letters(&self, made: &str) -> String {
         let own = |letter: char| {
             [self.whole, self.objects].contains(&letter)
@@ -148,8 +151,9 @@ fn fill_empty(
     fill(tree, element, nodes).into_iter().collect()
 }
 
-/// The sets that whole objects go into.
+/// The tag of the set with the forces of a model.
 pub(super) const FORCE_SET_TAG: &str = "ForceSet";
+/// The tag of the set with the contact geometry of a model.
 const GEOMETRY_SET_TAG: &str = "ContactGeometrySet";
 
 /// Refuses a model in several files: a set in another file may belong to other models, too.

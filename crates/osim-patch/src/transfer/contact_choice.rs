@@ -28,6 +28,7 @@ pub(crate) enum ContactChoice<'t> {
     Paired { first: &'t ReferenceContact, by_name: HashMap<&'t str, &'t ReferenceContact> },
 }
 
+/// The radii of a reference's spheres, by name, and their common radius.
 pub(crate) struct ReferenceRadii<'t> {
     /// Radii by sphere name; if several spheres have the same name, the first one counts.
     by_name: HashMap<&'t str, f64>,
@@ -36,6 +37,7 @@ pub(crate) struct ReferenceRadii<'t> {
 }
 
 impl<'t> ReferenceRadii<'t> {
+    /// Collects the radii of all spheres of `reference`.
     pub(crate) fn of(reference: &'t Reference) -> Self {
         let mut by_name = HashMap::new();
         for contact in &reference.contacts {
@@ -51,6 +53,7 @@ impl<'t> ReferenceRadii<'t> {
 }
 
 impl<'t> ContactChoice<'t> {
+    /// Chooses the contact for each sphere: that of the sphere which the caller named, the common one, or that of the same name.
     pub(crate) fn new(model: &Model, selected: &Selected, wanted: &'t Transfer) -> Result<Self, Fault> {
         let contacts = &wanted.reference.contacts;
         let Some(first) = contacts.first() else {

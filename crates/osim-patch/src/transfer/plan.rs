@@ -117,6 +117,7 @@ fn refuse_old_dialect(model: &Model, selected: &Selected) -> Result<(), Fault> {
     }
 }
 
+/// A force of the model, with the contact of the reference that it gets and the ratios to it.
 struct TargetForce<'t> {
     force: &'t Force,
     from: &'t ReferenceContact,

@@ -30,6 +30,7 @@ pub(crate) fn require_plausible_radius(radius_m: f64, answers: &AnswerOptions) -
     Err(RequestFault::refused(Input::Radius, Suspicion::Other { question, text }.phrase()))
 }
 
+/// The numbers that a request for a design without a model gives, in SI units.
 pub(super) struct DesignInputs {
     pub(super) mass_kg: Option<f64>,
     pub(super) spheres: Option<f64>,
@@ -46,6 +47,7 @@ pub(super) struct DesignInputs {
     pub(super) is_body_weight: bool,
 }
 
+/// What E* follows from: Young's modulus, two surfaces, OpenSim's stiffness, or the other quantities.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) enum ModulusSource {
     Young,
@@ -371,4 +373,5 @@ pub(super) fn solve_at_rest(
     Ok(solution)
 }
 
+/// Standard gravity, which a design without a gravity takes, m/s².
 pub(crate) const STANDARD_GRAVITY_M_S2: f64 = 9.80665;

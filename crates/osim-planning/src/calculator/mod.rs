@@ -66,6 +66,7 @@ pub struct DesignLimit {
 }
 
 impl DesignSheet {
+    /// Adds a figure that was computed by the usual equation of its quantity.
     fn add(&mut self, quantity: DesignQuantity, value: f64, given: bool) {
         self.add_with_equation(quantity.info().equation, quantity, value, given);
     }

@@ -52,6 +52,7 @@ pub struct ContactTable {
     pub has_radii: bool,
 }
 
+/// One contact in a table of contacts.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ContactRow {
     /// Line in the file of the table; the header is line 1.
@@ -94,6 +95,7 @@ impl ContactTable {
     }
 }
 
+/// The cells of one row of a table of contacts.
 struct ContactCells<'s> {
     sheet: &'s Sheet,
     row: &'s Row,
@@ -204,9 +206,11 @@ const COLUMN_MEANINGS: [(&str, ColumnMeaning); 15] = [
     ("pos_z_in_local", ColumnMeaning::Local(2)),
     ("parent_frame_name", ColumnMeaning::Ignored),
 ];
+/// The columns that a table of contacts may have, for error messages.
 const EXPECTED_COLUMNS: &str =
     "name, body, x, y, z and radius (columns whose names begin with # are ignored), or MuSkeMo's own";
 
+/// The indices of the columns that a table of contacts has.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 struct ContactColumns {
     name: usize,

@@ -17,6 +17,7 @@ pub enum TablePlace {
     Exported { global_m: Option<[f64; 3]>, local_m: Option<[f64; 3]> },
 }
 
+/// The place of a contact in the frame of its body.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PlaceOnBody {
     /// The centre of the contact in the frame of its body, m.

@@ -30,6 +30,7 @@ pub(crate) fn remarks_on_parts_of_feet(model: &Model, soles: &[Sole]) -> Vec<Phr
     .collect()
 }
 
+/// A model and the soles that get spheres, for remarks on what gets none.
 struct FeetWithSpheres<'f> {
     model: &'f Model,
     soles: &'f [Sole],
@@ -216,6 +217,7 @@ pub(crate) struct DistanceFromJoints {
 }
 
 impl JointPositions {
+    /// The joints of `model` and their distances.
     pub(crate) fn of(model: &Model) -> Self {
         Self { anatomy: Anatomy::of(model).ok(), distances: model.joint_distances().clone() }
     }

@@ -69,7 +69,9 @@ impl BodyFall {
 
 /// The height from which animals of the paper's Table 1 fall, in radii, as in the drop tests of the paper.
 const ANIMAL_DROP_HEIGHT_RADII: f64 = 0.25;
+/// The number of moments of an animal's fall that are shown.
 const ANIMAL_MOMENTS: usize = 181;
+/// The animals of Table 1 whose falls are shown, from the smallest to the largest.
 const ANIMALS_SHOWN: [&str; 3] = ["mouse", "human", "giraffe"];
 
 /// An animal that falls on two kinds of contacts. Heights are those of its spheres' bottoms over the ground in radii, at equal times
@@ -104,6 +106,7 @@ impl AnimalFall {
     }
 }
 
+/// The heights of an animal's sphere bottoms in radii while it falls on `contact`, at equal times.
 fn heights_in_radii(contact: &Contact, animal: &Animal) -> Result<Vec<f64>, DropError> {
     let scale = animal.scale();
     let radius_m = scale.radius_m();

@@ -34,6 +34,7 @@ pub struct Scene {
     pub why_not_placed: Option<String>,
 }
 
+/// A body at its place in ground.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct PlacedBody {
     pub name: String,
@@ -41,6 +42,7 @@ pub struct PlacedBody {
     pub frame: [[f64; 3]; 4],
 }
 
+/// A contact sphere at its place in ground.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct SceneSphere {
     pub name: String,
@@ -58,6 +60,7 @@ pub struct SceneSphere {
     pub relative_indentation: Option<f64>,
 }
 
+/// The surface of a floor or wall in ground.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct PlacedPlane {
     pub point_m: [f64; 3],
@@ -180,6 +183,7 @@ fn body_lines(model: &Model) -> Vec<BodyLine> {
 /// The largest number of triangles of all bones together. A view with more triangles is too slow to turn.
 const MOST_TRIANGLES: usize = 600_000;
 
+/// The surfaces of all bones of a model, and the meshes that could not be read.
 #[derive(Debug, Clone, Default, PartialEq, Serialize)]
 pub struct BoneSurfaces {
     pub surfaces: Vec<BoneSurface>,
@@ -188,6 +192,7 @@ pub struct BoneSurfaces {
     pub broken: Vec<String>,
 }
 
+/// The surface of one bone, as triangles.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct BoneSurface {
     pub body: String,
@@ -254,6 +259,7 @@ pub struct PlayedRecording {
     pub remarks: Vec<String>,
 }
 
+/// The forces on one foot along a recording, of the model and of the plates.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct PlayedFoot {
     pub name: String,
@@ -264,6 +270,7 @@ pub struct PlayedFoot {
     pub plates: Option<PlayedForce>,
 }
 
+/// A force on a foot and its centre of pressure, frame by frame.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct PlayedForce {
     /// Forces in each frame, body weights, in ground; `None` where one is not known.

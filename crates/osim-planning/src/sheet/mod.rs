@@ -8,6 +8,7 @@ use osim_requests::values::typed_numbers::trimmed;
 
 pub use cell::{cell, from_cell, with_text_mark, without_text_mark};
 
+/// The bytes that some programs write before a CSV file in UTF-8.
 const BYTE_ORDER_MARK: &[u8] = b"\xEF\xBB\xBF";
 /// The first bytes of .xlsx and .ods files.
 const ZIP_SIGNATURE: &[u8] = b"PK\x03\x04";

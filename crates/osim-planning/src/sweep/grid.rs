@@ -6,6 +6,7 @@ use std::ops::Range;
 use osim_model::messages::{Input, phrase};
 use osim_requests::{Axis, AxisName, GridValue, RequestFault, SweepRequest};
 
+/// A point of a sweep's grid: one value on each axis.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct GridPoint<'g> {
     pub values: Vec<(AxisName, &'g GridValue)>,
@@ -109,7 +110,9 @@ pub(super) fn part_name(request: &SweepRequest) -> Option<String> {
     point.or_else(|| request.shard.map(osim_requests::Shard::file_part))
 }
 
+/// The beginning of the name of a part with one point.
 const POINT_PREFIX: &str = "point-";
+/// The beginning of the name of a part with a shard.
 const SHARD_PREFIX: &str = "shard-";
 
 /// Whether `text` has the form of a name that [`part_name`] returns.

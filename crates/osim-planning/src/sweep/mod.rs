@@ -19,6 +19,7 @@ use grid::{point_at, points_along, points_at_ends, zero_padded};
 use ladder::SweepLadder;
 use variant::{StepChanges, Variant};
 
+/// A sweep of one model that was checked, and makes its variants one by one.
 pub struct SweepPlan<'s> {
     request: &'s SweepRequest,
     model: ModelFiles,
@@ -27,6 +28,7 @@ pub struct SweepPlan<'s> {
     count: usize,
 }
 
+/// The changes that make one variant, and how its table and note name them.
 struct VariantJob {
     /// The values of the grid point or ladder step, as cells of the table.
     asked: Vec<String>,

@@ -73,6 +73,7 @@ impl Variant {
         Self::read(request, model.clone(), None)
     }
 
+    /// Reads a changed model, and computes its figures under `target_mass_kg`, else under its own mass.
     fn read(request: &SweepRequest, model: ModelFiles, target_mass_kg: Option<f64>) -> Result<Self, Failure> {
         let open = model.open()?;
         let model = &open.model;

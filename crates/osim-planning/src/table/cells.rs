@@ -16,6 +16,7 @@ use crate::sheet::{BROKEN_FORMULA_MESSAGE, Row, Sheet, is_broken_formula};
 use crate::table::columns::{CellKind, Column, Columns};
 use crate::verbs::changing_verbs;
 
+/// What is wrong with a row of a table of models.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RowFault {
     /// Header of the column with the fault; `None` if the fault is not about one column.
@@ -24,15 +25,18 @@ pub struct RowFault {
 }
 
 impl RowFault {
+    /// A fault in the cell of one column.
     pub fn of(column: &str, message: impl Into<Phrase>) -> Self {
         Self { column: Some(column.to_owned()), message: message.into() }
     }
 
+    /// A fault that is not about one column.
     pub fn general(message: impl Into<Phrase>) -> Self {
         Self { column: None, message: message.into() }
     }
 }
 
+/// The cells of one row of a table of models, as the fields of a request.
 pub(super) struct RowCells {
     pub verb: Verb,
     pub model: PathBuf,

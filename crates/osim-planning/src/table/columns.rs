@@ -41,6 +41,7 @@ pub(super) fn model_field(verb: Verb) -> &'static str {
     if verb == Verb::Fit { MODEL_COLUMN_OF_FIT } else { "models" }
 }
 
+/// A column of a table of models: the field that it gives, and how its cells are read.
 #[derive(Debug)]
 pub(super) struct Column {
     /// The text of the column in the first row of the table.
@@ -49,6 +50,7 @@ pub(super) struct Column {
     pub kind: CellKind,
 }
 
+/// The columns of a table of models.
 #[derive(Debug)]
 pub(super) struct Columns {
     pub columns: Vec<Column>,

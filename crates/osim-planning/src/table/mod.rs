@@ -20,6 +20,7 @@ use crate::table::columns::{Columns, model_field};
 use crate::verbs::prepare;
 pub use cells::RowFault;
 
+/// A table of models, each row of which is a request to change one model.
 pub struct Table {
     sheet: Sheet,
     columns: Columns,

@@ -16,6 +16,7 @@ use crate::remarks::{
 const REMARK_GEOMETRY_TAKEN_OUT: &str = "spheres and planes that forces kept inside themselves, as in Moco 0.1 to 0.3, are in the ContactGeometrySet: OpenSim 4.2 and \
      later read the model now, and Moco 0.1 to 0.3 does not any more";
 
+/// Plans the conversion of a model's forces to the other class.
 struct ConvertPlanner {
     wanted: Convert,
     selection: Selection,

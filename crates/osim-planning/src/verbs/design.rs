@@ -16,6 +16,7 @@ use osim_requests::{
 use crate::prepared_change::{Planner, PreparedChange};
 use crate::remarks::remark_on_noted_limbs;
 
+/// Plans the contact parameters that follow from a wanted behaviour.
 pub(super) struct DesignPlanner {
     wanted: WantedOptions,
     stress_n_m2: Option<f64>,

@@ -40,6 +40,7 @@ struct TrialInput {
     belt: Belt,
 }
 
+/// Plans the contact parameters that fit recorded gaits.
 struct FitPlanner {
     trials: Vec<TrialInput>,
     bounds: FitBounds,

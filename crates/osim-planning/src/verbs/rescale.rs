@@ -15,6 +15,7 @@ use crate::opening::read_scale_file;
 use crate::prepared_change::{Planner, PreparedChange};
 use crate::remarks::{operation_with_radius, refuse_repetition};
 
+/// Plans the rescaling of a model's contacts to the target mass.
 struct RescalePlanner {
     target_mass_kg: f64,
     masses: MassRequest,

@@ -10,6 +10,7 @@ use osim_requests::{Assignments, RequestFault, SetRequest};
 
 use crate::prepared_change::{Planner, PreparedChange};
 
+/// Plans new values or factors for contact parameters, as the caller gave them.
 struct SetPlanner {
     assignments: Assignments,
     level: bool,

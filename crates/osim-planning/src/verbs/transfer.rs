@@ -92,6 +92,7 @@ pub(super) fn planner(
     }
 }
 
+/// Whether a path means standard input.
 fn is_standard_input(path: &Path) -> bool {
     path == Path::new("-")
 }
@@ -168,6 +169,7 @@ fn refuse_senseless_radii(request: &TransferRequest) -> Result<(), RequestFault>
     Ok(())
 }
 
+/// Plans the contacts of a reference, scaled to the size of the model.
 pub(super) struct TransferPlanner {
     pub(super) counts: CountOptions,
     pub(super) follow: FollowOptions,

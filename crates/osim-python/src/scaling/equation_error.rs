@@ -23,6 +23,7 @@ pub(crate) struct EquationError {
 }
 
 impl EquationError {
+    /// An error about the value of a quantity, not about an element of a list.
     fn new(
         parameter: Option<&'static str>,
         quantity: &'static str,
@@ -32,6 +33,8 @@ impl EquationError {
         Self { parameter, quantity, value, expected, index: None }
     }
 
+    /// Refuses arguments that are not finite.
+    ///
     /// # Errors
     /// The first argument without a finite value: a gap in an array, or the result of a division by 0.
     pub(super) fn unless_finite(
@@ -86,6 +89,7 @@ impl EquationError {
         Self { parameter: found.map(|(name, _)| name), ..self }
     }
 
+    /// The error about the element of this index.
     pub(super) fn at(self, index: usize) -> Self {
         Self { index: Some(index), ..self }
     }

@@ -28,9 +28,11 @@ pub(crate) struct SphereListFunction {
     rest_raised: fn(&[RaisedSpheres], f64) -> Result<f64, DomainError>,
 }
 
-/// Height of a sphere's bottom above the lowest bottom; left out if all bottoms are at one height.
+/// The type of an argument that is a list of numbers, in docstrings.
 const LIST_TYPE: &str = "sequence of float";
+/// Height of a sphere's bottom above the lowest bottom; left out if all bottoms are at one height.
 pub(crate) const HEIGHT: Parameter = parameter!(height: H_I);
+/// The load on all spheres together.
 pub(crate) const LOAD: Parameter = parameter!(load: F_LOAD);
 
 /// The functions for Hertz's law and for the smoothed law.

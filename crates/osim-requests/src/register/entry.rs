@@ -90,12 +90,14 @@ pub(super) enum Field<'n> {
 }
 
 impl Entry {
+    /// Whether the value is the path of a file or folder.
     pub const fn is_path(&self) -> bool {
         matches!(self.takes, OptionValue::FileRead | OptionValue::FileWritten | OptionValue::Folder)
     }
 
     // How entries are written: `value("KG").signed()`.
 
+    /// A flag with this name, heading and help; the other functions change it.
     pub(super) const fn new(name: &'static str, heading: &'static str, help: &'static str) -> Self {
         Self {
             name,
@@ -113,54 +115,67 @@ impl Entry {
         }
     }
 
+    /// An option without a value.
     pub(super) const fn flag(self) -> Self {
         self
     }
 
+    /// An option with one value, which the help calls `value_name`.
     pub(super) const fn value(self, value_name: &'static str) -> Self {
         Self { takes: OptionValue::Text, value_name, ..self }
     }
 
+    /// An option that can be repeated, with one value each.
     pub(super) const fn values(self, value_name: &'static str) -> Self {
         self.value(value_name).list_if(true)
     }
 
+    /// An option with several values between commas.
     pub(super) const fn with_commas(self, value_name: &'static str) -> Self {
         Self { list: List::Commas, ..self.value(value_name) }
     }
 
+    /// An option whose value is one of these words.
     pub(super) const fn choice(self, words: Words) -> Self {
         Self { takes: OptionValue::Choice(words), ..self }
     }
 
+    /// An option with a file that is read.
     pub(super) const fn read(self, value_name: &'static str) -> Self {
         Self { takes: OptionValue::FileRead, value_name, ..self }
     }
 
+    /// An option with a file that is written.
     pub(super) const fn written(self, value_name: &'static str) -> Self {
         Self { takes: OptionValue::FileWritten, value_name, ..self }
     }
 
+    /// An option with a folder.
     pub(super) const fn folder(self) -> Self {
         Self { takes: OptionValue::Folder, value_name: "DIR", ..self }
     }
 
+    /// An option with values of properties.
     pub(super) const fn assignments(self) -> Self {
         Self { takes: OptionValue::Assignments, ..self }
     }
 
+    /// The option, repeated if `is_list`.
     pub(super) const fn list_if(self, is_list: bool) -> Self {
         if is_list { Self { list: List::Repeated, ..self } } else { self }
     }
 
+    /// The option with another name of its value in the help.
     pub(super) const fn called(self, value_name: &'static str) -> Self {
         Self { value_name, ..self }
     }
 
+    /// The option with a short name of one letter.
     pub(super) const fn short(self, letter: char) -> Self {
         Self { short: Some(letter), ..self }
     }
 
+    /// The option, whose value may begin with a minus sign.
     pub(super) const fn signed(self) -> Self {
         Self { is_signed: true, ..self }
     }
@@ -169,6 +184,7 @@ impl Entry {
         Self { is_signed, ..self }
     }
 
+    /// The option, which the help lists after the usual ones.
     pub(super) const fn rare(self) -> Self {
         self.rare_if(true)
     }
@@ -177,18 +193,22 @@ impl Entry {
         Self { is_rare, ..self }
     }
 
+    /// The option, which its verb refuses if `is_refused`.
     pub(super) const fn refused_if(self, is_refused: bool) -> Self {
         Self { is_refused, ..self }
     }
 
+    /// The option under another heading of the help if `is_there`.
     pub(super) const fn under_if(self, is_there: bool, heading: &'static str) -> Self {
         if is_there { Self { heading, ..self } } else { self }
     }
 
+    /// The option in a group of fields that do not describe contacts.
     pub(super) const fn about(self, group: FieldGroup) -> Self {
         Self { group: Some(group), ..self }
     }
 
+    /// The option of a whole run, which a row of a table cannot set.
     pub(super) const fn of_run(self) -> Self {
         Self { is_of_run: true, ..self }
     }

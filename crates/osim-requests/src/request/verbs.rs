@@ -38,6 +38,7 @@ pub struct VerbEntry {
 }
 
 impl VerbEntry {
+    /// A verb with its group, its fields without names, and a line of help.
     const fn new(group: VerbGroup, positional: &'static [&'static str], about: &'static str) -> Self {
         let purpose = "What contacts the model has, and what they do under its weight. Nothing was changed.";
         Self { group, about, details: "", title: "", purpose, positional }

@@ -8,7 +8,9 @@ use crate::register::{FieldGroup, is_flag, option_named};
 use crate::request::Request;
 use crate::spell::speller::{Field, FieldValue, Fields, FrontEnd, Speller, digits, is_positional};
 
+/// The first line of every script.
 const IMPORT_LINE: &str = "import osim_contact_scale as ocs";
+/// The line of a script that prints its result.
 const PRINT_RESULT: &str = "print(result)";
 
 /// Fields without a keyword in the function that plans a change of one model; methods of the plan do their work.
@@ -93,6 +95,7 @@ fn plans_one_model(fields: &Fields) -> bool {
     fields.changes && fields.models().len() == 1 && fields.in_group(FieldGroup::Many).next().is_none()
 }
 
+/// The Python call of a request, without the arguments with which its result is written later.
 fn call_of(fields: &Fields) -> String {
     let mut arguments: Vec<String> =
         fields.positional.iter().flat_map(|field| positional_arguments(fields.verb, field)).collect();

@@ -86,6 +86,7 @@ pub(super) enum FieldValue {
 }
 
 impl Fields {
+    /// The fields that a request gives, in the order of a call.
     pub(super) fn of(request: &Request) -> Self {
         let verb = request.verb();
         let fields = request.to_map().into_iter().filter(|(name, _)| name != "verb");

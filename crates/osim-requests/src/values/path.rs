@@ -31,6 +31,7 @@ pub(crate) fn schema() -> serde_json::Value {
 }
 
 impl WrittenPath {
+    /// How a path is written: as text, or as its bytes if it is not UTF-8.
     fn of(path: &Path) -> Self {
         match path.to_str() {
             Some(text) => Self::Text(text.to_owned()),

@@ -192,6 +192,7 @@ struct ColonRange {
 }
 
 impl ColonRange {
+    /// Reads two or three numbers with colons between them.
     fn read(text: &str) -> Option<Self> {
         let number = |part: &str| plain_number(factor(part).unwrap_or(part));
         let parts: Option<Vec<(&str, f64)>> =

@@ -280,7 +280,9 @@ pub(super) fn state_panel(states: Vec<(String, Vec<Point>)>, units: PlotUnits) -
     panel
 }
 
+/// The label of an axis of time in seconds.
 pub(super) const TIME_IN_SECONDS: &str = "time t (s)";
+/// The label of an axis of dimensionless time.
 pub(super) const DIMENSIONLESS_TIME: &str = "non-dimensional time t/√(R/g) (–)";
 
 /// If no duration is given, a fall is drawn until all bodies are at rest, and longer by this factor.

@@ -204,6 +204,7 @@ struct SortedSpheres<'f> {
 }
 
 impl<'f> SortedSpheres<'f> {
+    /// Sorts the spheres of a foot.
     fn new(spheres: &'f [FootSphere]) -> Self {
         let spread = |axis: usize| {
             let along = || spheres.iter().map(|sphere| sphere.centre_m[axis]);

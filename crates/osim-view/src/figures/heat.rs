@@ -46,7 +46,9 @@ pub fn heat(
     }))
 }
 
+/// The label of an axis of stiffness.
 const STIFFNESS_LABEL: &str = "stiffness E₁* (N/m²)";
+/// The label of an axis of dissipation.
 const DISSIPATION_LABEL: &str = "dissipation α (s/m)";
 /// Colours are logarithmic if the largest value over the smallest is more than this.
 const LOGARITHMIC_RATIO: f64 = 8.0;

@@ -33,6 +33,7 @@ pub(super) fn motion(result: &MotionResult, title: Option<&str>) -> Figure {
     }
 }
 
+/// The panels about one foot: over time, over strides, and on its sole.
 struct FootPanels {
     times: [Panel; 2],
     strides: Option<[Panel; 2]>,

@@ -111,6 +111,7 @@ const FIG_C5_ANIMAL: &str = "emu";
 /// The curves of Fig. C.5 extend this far above and below the floor, in radii.
 const WIDTH_OF_FIG_C5_RADII: f64 = 0.5;
 
+/// The units of Fig. C.5.
 const PLOT_UNITS: PlotUnits = PlotUnits { indentation: IndentationUnit::Relative, force: ForceUnit::Newton };
 
 /// Fig. C.5, the effect of smoothing: the smoothed law of a sphere of 15 mm (the emu of ten spheres) with OpenSim's default cf and bd,

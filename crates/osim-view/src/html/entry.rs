@@ -190,6 +190,7 @@ fn cell_of_indentation(indentation: Indentation) -> Cell {
     Cell { text, outside, ..Cell::default() }
 }
 
+/// A cell with a number of findings; a dash for 0.
 fn cell_of_count(count: usize) -> Cell {
     if count == 0 { "–".to_owned().into() } else { count.to_string().into() }
 }
@@ -217,6 +218,7 @@ impl Cell {
         }
     }
 
+    /// A cell of the table that has words instead of numbers.
     pub(super) fn with_words(text: String) -> Self {
         Self { text, words: true, ..Self::default() }
     }
@@ -302,6 +304,7 @@ impl RowError {
         Self { code: code.into(), message: message.into(), line: None, column: None }
     }
 
+    /// The error at a line and column of its file.
     pub fn at(self, line: Option<usize>, column: Option<usize>) -> Self {
         Self { line, column, ..self }
     }

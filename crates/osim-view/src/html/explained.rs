@@ -30,6 +30,7 @@ impl Topics {
         self.equations.is_empty() && self.codes.is_empty() && self.errors.is_empty()
     }
 
+    /// Adds the equations, findings and errors of another part of the page.
     pub(super) fn add(&mut self, other: &Self) {
         self.equations.extend(&other.equations);
         self.codes.extend(&other.codes);

@@ -8,6 +8,7 @@ use crate::html::explained::severity_tag;
 use crate::html::fragment::{Fragment, table};
 use crate::html::page_frame::command_line;
 
+/// Id and title of the section about findings.
 pub(super) const SECTION_HEAD: (&str, &str) = ("findings", "Findings");
 
 /// Adds the section about the findings of one model.
@@ -133,6 +134,7 @@ fn item_of_finding(
     }
 }
 
+/// What screen readers call the table of verdicts.
 const TABLE_NAME: &str = "Verdicts";
 
 fn verdicts_of_model(verdicts: &[Verdict]) -> Markup {

@@ -15,6 +15,7 @@ pub(super) struct Fragment {
 }
 
 impl Fragment {
+    /// No sections yet, on a page with this level of detail.
     pub(super) fn new(detail: DetailLevel) -> Self {
         Self { detail, sections: Vec::new(), topics: Topics::default(), wanted: None }
     }

@@ -197,6 +197,7 @@ pub struct NamedDigest {
     pub sha256: String,
 }
 
+/// The files that a page lists: those that were read, and those that were written.
 #[derive(Debug, Clone, Default)]
 pub struct ListedFiles {
     /// Files that were read, the model first.

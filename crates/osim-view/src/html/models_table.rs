@@ -9,13 +9,19 @@ use crate::html::fragment::header_cell;
 use crate::html::special_models::ChosenModels;
 use crate::html::{overview, plots};
 
+/// Id and title of the section with the table of models.
 pub(super) const MODELS_SECTION: (&str, &str) = ("models", "Models");
+/// Id and title of the section that shows each model in full.
 pub(super) const MODELS_IN_FULL_SECTION: (&str, &str) = ("in-full", "Each model in full");
 
+/// The end of the table of failed models, in HTML.
 pub(super) const END_OF_FAILURES: &str = "</tbody></table></div>\n";
+/// The end of the table of models and of its section, in HTML.
 pub(super) const END_OF_TABLE: &str = "</tbody></table></div></section>\n";
+/// The beginning of the section that shows each model in full, in HTML.
 pub(super) const BEGIN_OF_DETAILS: &str = "<section id=\"in-full\" aria-labelledby=\"in-full-title\">\
                                         <h2 id=\"in-full-title\">Each model in full</h2>\n";
+/// The end of a section, in HTML.
 pub(super) const END_OF_SECTION: &str = "</section>\n";
 
 /// The set of columns in the table of models.
@@ -167,6 +173,7 @@ pub(super) fn code(entry: &Entry, topics: &mut Topics) -> Markup {
 
 // The models of a library that are drawn, with the reasons.
 
+/// Id and title of the section with plots of special models.
 pub(super) const SECTION_HEAD: (&str, &str) = ("chosen", "Plots of special models");
 
 pub(super) fn section(chosen: &ChosenModels, dialect: &dyn Dialect) -> Markup {

@@ -14,7 +14,9 @@ use crate::html::explained::{Topics, marked_outside, severity_tag};
 use crate::html::fragment::table;
 use crate::html::special_models::{Indentation, is_too_deep};
 
+/// Id and title of the section with the numbers of models and findings.
 pub(super) const SECTION_HEAD: (&str, &str) = ("glance", "At a glance");
+/// Id and title of the chart of x̂ of all models.
 pub(super) const CHART_OF_INDENTATIONS: (&str, &str) = ("indentation", "Relative indentation at rest, x̂");
 
 /// The largest number of references that are named. Each row of a manifest may have its own reference.
@@ -42,6 +44,7 @@ pub(super) struct PageCounts {
 }
 
 impl PageCounts {
+    /// Counts the entry of one more model.
     pub(super) fn add(&mut self, entry: &Entry) {
         self.models += 1;
         self.earlier += usize::from(entry.earlier);

@@ -230,6 +230,7 @@ impl<'d, S: DeferredText> Page<'d, S> {
     }
 }
 
+/// What a report page is about: its verb, its model and the command that made it.
 #[derive(Debug, Clone)]
 pub struct PageHead {
     pub verb: Verb,

@@ -6,7 +6,9 @@ use osim_requests::verb_entry;
 
 const STYLE_SHEET: &str = include_str!("style.css");
 
+/// Id and title of the section with the command that made the page.
 pub(super) const COMMAND_SECTION: (&str, &str) = ("asked", "The command of this page");
+/// Id and title of the section about the program and its citation.
 pub(super) const ORIGIN_SECTION: (&str, &str) = ("origin", "Program and citation");
 
 /// The text by which pages of this program are recognised; the version number follows.
@@ -15,6 +17,7 @@ pub const GENERATOR: &str = "<meta name=\"generator\" content=\"osim-contact-sca
 /// The reference of the paper, van Bijlert (2026), as in CITATION.cff.
 const PAPER_CITATION: &str = "van Bijlert, P. A. (2026). Scaling contact force parameters across body size, limb \
                                 count, and number of contact spheres. Journal of Biomechanics.";
+/// The DOI of the paper.
 const PAPER_DOI: &str = "10.1016/j.jbiomech.2026.113420";
 
 /// The beginning of the page, up to the first section.

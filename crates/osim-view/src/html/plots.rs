@@ -14,6 +14,7 @@ use crate::html::fragment::{Fragment, Section, table};
 use crate::html::special_models::DrawnStates;
 use crate::report::results::motion_feet;
 
+/// Id and title of the section with plots of force, dissipation and a drop test.
 const PLOTS_SECTION: (&str, &str) = ("plots", "Plots of force, dissipation and a drop test");
 /// Id and title of the section about the contact state. It is only shown if the caller names it, so not in reports.
 const STATE_SECTION: (&str, &str) = ("state", "Contact state against indentation");
@@ -101,6 +102,7 @@ fn svg_or_failure(bodies: &[ContactBody], figure: Result<Figure, Failure>) -> Re
 
 // The feet of a model on a page.
 
+/// Id and title of the section with pictures of the feet.
 const FEET_SECTION: (&str, &str) = ("feet", "Feet from the side and from above");
 
 /// The largest number of meshes that are listed; if there are more, the page has their number.

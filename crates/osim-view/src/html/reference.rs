@@ -10,6 +10,7 @@ use crate::html::fragment::{Fragment, table};
 use crate::report::extent::Extent;
 use crate::report::similarity::{about, cells, gaps, headings};
 
+/// Id and title of the section that compares the contact with that of the reference.
 pub(super) const SECTION_HEAD: (&str, &str) = ("reference", "The contact beside that of the reference");
 /// Numbers are equal if they differ by less than this, relative to the larger number.
 const RELATIVE_ROUNDING: f64 = 1e-9;

@@ -30,6 +30,7 @@ pub struct Sections {
 }
 
 impl Sections {
+    /// The sections of a fragment, with the explanations that their links lead to.
     fn of(fragment: Fragment, dialect: &dyn Dialect) -> Self {
         let explained = explained::explanations_by_anchor(&fragment.topics, dialect).into_iter();
         let explained =

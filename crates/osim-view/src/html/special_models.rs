@@ -38,6 +38,7 @@ pub(crate) struct Indentation {
 }
 
 impl ModelFacts {
+    /// The numbers of an inspected and checked model.
     pub(crate) fn new(figures: &Figures, found: &CheckResult, body: Option<&ContactBody>) -> Self {
         Self {
             mass_kg: figures.mass_kg,
@@ -88,6 +89,7 @@ pub(crate) const MOST_DRAWN_MODELS: usize = 10;
 /// The largest number of different dimensionless contacts that are counted. If there are more, the page names no most common contact.
 const MOST_COUNTED_CONTACTS: usize = 256;
 
+/// The states of a model that the page draws: before and after a change, and the reference.
 #[derive(Debug, Default)]
 pub(crate) struct DrawnStates {
     pub(crate) bodies: Vec<ContactBody>,

@@ -13,6 +13,7 @@ use crate::report::inspection::spheres::{
 };
 use crate::report::layout::OUTSIDE_MARK;
 
+/// Id and title of the section with figures of spheres.
 pub(super) const SECTION_HEAD: (&str, &str) = ("figures", "Load, indentation and restitution of the spheres");
 /// The largest number of columns of numbers in one table.
 const MOST_FIGURE_COLUMNS: usize = 6;
@@ -35,6 +36,7 @@ struct SphereLookup<'s> {
 }
 
 impl<'s> SphereLookup<'s> {
+    /// Sorts the spheres of `state` by path and name.
     fn of(state: &ModelState<'s>) -> Self {
         let mut lookup = Self { by_path: HashMap::new(), by_name: HashMap::new(), any: None };
         for sphere in state.figures.spheres() {

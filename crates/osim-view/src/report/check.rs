@@ -83,6 +83,7 @@ struct VerdictRow<'c> {
 }
 
 impl VerdictRow<'_> {
+    /// The row as text: severity, topic, and the worst finding.
     fn text(&self, layout: Layout) -> String {
         let word = self.sign.as_str();
         let text = format!("{word:<8} {:<8} {}", self.on, self.text);
@@ -102,6 +103,7 @@ struct VerdictRows<'c> {
 }
 
 impl<'c> VerdictRows<'c> {
+    /// Sorts the verdicts of a check into good, bad and unknown ones.
     fn of(found: &'c CheckResult) -> Self {
         let mut rows = Self::default();
         for verdict in &found.verdicts {
@@ -455,6 +457,7 @@ fn painted_rows(text: &str, layout: Layout) -> String {
 
 // Findings as CSV: one row each.
 
+/// The columns of findings as CSV.
 const COLUMNS: [&str; 9] =
     ["model", "severity", "code", "place", "line", "column", "spheres", "message", "command"];
 

@@ -53,6 +53,7 @@ fn wrap_lines(text: &str, indent: &str, width: usize) -> String {
 // Where a line of text may end: after a blank, and wherever else the Unicode line breaking algorithm has it; never at a
 // hyphen, and never after the `/` of a path or a unit.
 
+/// A hyphen that is seen only at the end of a line.
 const SOFT_HYPHEN: char = '\u{ad}';
 
 /// The pieces of a line between which it may be broken. Each has the blanks after it.
@@ -333,6 +334,7 @@ pub(crate) fn csv_text(records: impl IntoIterator<Item = Vec<String>>) -> Result
 /// The mark after a figure that is outside its limit.
 pub(crate) const OUTSIDE_MARK: char = '!';
 
+/// The colour of a figure that is outside its limit.
 const STYLE_OF_OUTSIDE: Style = AnsiColor::Yellow.on_default().bold();
 
 /// Whether a text has colours.

@@ -9,6 +9,7 @@ use glam::DVec3;
 use crate::messages::named;
 use crate::model::{Anatomy, AnatomyJoint, BoneLengths, Fault};
 
+/// The names of the axes of a body, for messages.
 pub(super) const AXIS_NAMES: [&str; 3] = ["x", "y", "z"];
 
 named! {
@@ -30,6 +31,7 @@ named! {
     }
 }
 
+/// The scale factor of a body along one axis, and its source.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct AxisFactor {
     /// The new length over the old length.
@@ -37,6 +39,7 @@ pub struct AxisFactor {
     pub source: FactorSource,
 }
 
+/// The scale factors of one body along x, y and z, and the sources that they were chosen from.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BodyFactors {
     pub body: String,
@@ -53,6 +56,7 @@ pub struct BodyFactors {
 pub(super) struct BodyIndex(HashMap<String, usize>);
 
 impl BodyIndex {
+    /// The index of each of `bodies`.
     pub(super) fn of(bodies: &[BodyFactors]) -> Self {
         let mut places = HashMap::new();
         for (at, factors) in bodies.iter().enumerate() {
@@ -99,6 +103,7 @@ pub(super) struct ComparedJoints<'a> {
 }
 
 impl<'a> ComparedJoints<'a> {
+    /// The joints of the same name in both models, with their places seen from their bodies.
     pub(super) fn of(scaled: &'a Anatomy, reference: &'a Anatomy) -> Self {
         let mut on_body: HashMap<&str, Vec<[&AnatomyJoint; 2]>> = HashMap::new();
         for joint in &scaled.joints {
@@ -148,6 +153,7 @@ const SIDE_PREFIXES: [&str; 2] = ["r_", "l_"];
 /// Marks of right and left at the end of a mesh file's name, without its ending. They do not belong to the name of the bone.
 const SIDE_SUFFIXES: [&str; 4] = ["_rv", "_lv", "_r", "_l"];
 
+/// The meshes of one bone in two models, with the factor between their sizes.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct BonePair {
     pub(super) mesh: String,
@@ -182,6 +188,7 @@ struct MeshFactorsByBone<'a> {
 }
 
 impl<'a> MeshFactorsByBone<'a> {
+    /// Sorts the meshes of a body by their bones and sides.
     fn of(meshes: &'a BTreeMap<String, [f64; 3]>) -> Self {
         let mut bones = Self { by_bone: HashMap::new(), by_side: HashMap::new() };
         for (mesh, factors) in meshes {

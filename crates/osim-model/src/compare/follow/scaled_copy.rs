@@ -88,6 +88,7 @@ pub(super) struct SharedOffset<'a> {
 pub(super) struct SharedJoints<'a>(HashMap<&'a str, Vec<SharedOffset<'a>>>);
 
 impl<'a> SharedJoints<'a> {
+    /// The joints that have the same name and bodies in both models.
     pub(super) fn of(scaled: &'a Anatomy, reference: &'a Anatomy) -> Self {
         let ends = |joint: &'a AnatomyJoint| [&joint.name, &joint.parent, &joint.child].map(String::as_str);
         let mut there: HashMap<[&str; 3], &AnatomyJoint> = HashMap::new();

@@ -34,6 +34,8 @@ pub(super) struct BodyFactorSources<'a> {
 }
 
 impl<'a> BodyFactorSources<'a> {
+    /// What each source gives for `body`: the caller, the Scale Tool's file, meshes and joint offsets. `distances` is given if the
+    /// scaled model is not a copy of the reference.
     pub(super) fn of(
         scaled: &'a Anatomy,
         reference: &Anatomy,
@@ -175,6 +177,7 @@ pub(super) fn choose_factors(all: &[BodyFactorSources<'_>]) -> Vec<[Option<AxisF
 pub(super) struct SidePairs<'s, 'a>(HashMap<String, Vec<&'s BodyFactorSources<'a>>>);
 
 impl<'s, 'a> SidePairs<'s, 'a> {
+    /// Pairs the bodies of both sides by their names.
     pub(super) fn of(all: &'s [BodyFactorSources<'a>]) -> Self {
         let mut pairs: HashMap<String, Vec<&BodyFactorSources<'_>>> = HashMap::new();
         for one in all {

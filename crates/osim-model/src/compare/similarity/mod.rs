@@ -11,6 +11,7 @@ pub use moco::{moco_bounds, refuse_without_moco_phase};
 use ratios::SAME_NUMBER_TOLERANCE;
 pub use ratios::{SizeRatios, SizeVerdict, Spread, similarity_formula};
 
+/// What the ratio of lengths of two models was computed from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum LengthFrom {
     /// From the distances between joints, summed over this many bodies.
@@ -30,6 +31,7 @@ pub struct ComparedFactors {
     pub factors: Option<Spread>,
 }
 
+/// The numbers of one kind in a model, beside the factor that geometric similarity expects.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SimilarityRow {
     pub kind: SizedKind,
@@ -203,6 +205,7 @@ pub struct ModelSize {
 }
 
 impl ModelSize {
+    /// The size of `model`, and its numbers that may change with size. `masses` are the masses that the caller gave.
     pub fn of(model: &Model, masses: &MassRequest) -> Self {
         let distances = model.joint_distances();
         let longest_in_body = |name: &str| Some((name.to_owned(), distances.longest_in_body(name)?));

@@ -20,6 +20,7 @@ const ANKLE_DISTANCE: f64 = 0.5;
 /// Bones of bodies without spheres are drawn up to this height above the foot's lowest point, as a part of the foot's length.
 const DRAWN_HEIGHT_OF_BONES: f64 = 0.8;
 
+/// The frame in which a foot is drawn.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum FootFrame {
     /// Ground. The bodies are at the default pose.
@@ -28,6 +29,7 @@ pub enum FootFrame {
     Body { name: String, fault: PoseFault },
 }
 
+/// A joint in the picture of a foot.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FootJoint {
     pub name: String,
@@ -35,6 +37,7 @@ pub struct FootJoint {
     pub at_m: DVec3,
 }
 
+/// A contact sphere in the picture of a foot.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FootSphere {
     pub name: String,
@@ -48,6 +51,7 @@ pub struct FootSphere {
     pub misplaced: bool,
 }
 
+/// A bone in the picture of a foot.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FootBone {
     pub body: String,
@@ -87,6 +91,7 @@ impl Foot {
         feet.iter().map(|bodies| Self::of(&context, anatomy, bodies, pose)).collect()
     }
 
+    /// One foot with its joints and spheres, and without bones.
     fn of(context: &ModelContext<'_>, anatomy: &Anatomy, bodies: &FootBodies, pose: &DefaultPose) -> Self {
         let places = FootPlaces::of(anatomy, bodies, pose);
         let (frame, floor) = match &places.fault {
@@ -234,6 +239,7 @@ struct ModelContext<'m> {
 }
 
 impl<'m> ModelContext<'m> {
+    /// What the pictures of all feet of `model` have in common.
     fn of(model: &'m Model) -> Self {
         let mut joints = HashMap::new();
         for joint in model.joints() {
@@ -255,6 +261,7 @@ struct FootPlaces<'p> {
 }
 
 impl<'p> FootPlaces<'p> {
+    /// Places in the frame of a foot: ground, or its topmost body if the pose is not known.
     fn of(anatomy: &'p Anatomy, bodies: &'p FootBodies, pose: &'p DefaultPose) -> Self {
         let top = bodies.top();
         // An empty name is ground.
@@ -298,6 +305,7 @@ impl<'p> FootPlaces<'p> {
 /// Two floors count as one if their heights differ by at most this, m.
 const SAME_HEIGHT_M: f64 = 1e-9;
 
+/// The height of the floor in the picture of a foot.
 #[derive(Debug, Clone, PartialEq)]
 pub enum FloorPlace {
     /// The model has no level half-space that is fixed to ground.
@@ -311,6 +319,7 @@ pub enum FloorPlace {
 }
 
 impl FloorPlace {
+    /// Finds the heights of the floors of `model`.
     pub fn of(model: &Model) -> Self {
         let up = model.up();
         let mut heights: Vec<f64> = model.floors().iter().map(|plane| plane.point_m.dot(up)).collect();

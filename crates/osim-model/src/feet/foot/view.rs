@@ -95,6 +95,7 @@ struct Outline {
 }
 
 impl Outline {
+    /// The convex `hull` of `points` as a first outline; of the points inside, one in each square of the size `cell` is kept.
     fn new(points: &[DVec2], hull: Vec<DVec2>, cell: f64) -> Self {
         let cell_of = |point: &DVec2| ((point.x / cell).round() as i64, (point.y / cell).round() as i64);
         let mut taken: HashSet<(i64, i64)> = hull.iter().map(cell_of).collect();

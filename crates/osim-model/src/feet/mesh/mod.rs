@@ -74,7 +74,7 @@ pub(crate) fn is_length(value: f64) -> bool {
     value.abs() <= LARGEST_MESH_NUMBER
 }
 
-/// The points without repeats, if they can be the points of a surface.
+/// Refuses a coordinate that is too large for any unit of length.
 fn refuse_large_coordinates(points: &[[f64; 3]]) -> Result<(), MeshFault> {
     for (index, point) in points.iter().enumerate() {
         if let Some((value, axis)) = point.iter().zip(['x', 'y', 'z']).find(|(value, _)| !is_length(**value))
@@ -85,6 +85,7 @@ fn refuse_large_coordinates(points: &[[f64; 3]]) -> Result<(), MeshFault> {
     Ok(())
 }
 
+/// The points without repeats, if they can be the points of a surface.
 fn checked_points(mut points: Vec<[f64; 3]>) -> Result<Vec<[f64; 3]>, MeshFault> {
     refuse_large_coordinates(&points)?;
 

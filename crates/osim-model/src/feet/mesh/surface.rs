@@ -120,6 +120,7 @@ pub(super) fn shortened(word: &str) -> String {
     word.chars().take(30).collect()
 }
 
+/// Adds a point, unless there are too many.
 pub(super) fn add(points: &mut Vec<[f64; 3]>, point: [f64; 3]) -> Result<(), MeshFault> {
     points.push(point);
     check_point_count(points.len())

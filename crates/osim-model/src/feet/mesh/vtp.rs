@@ -169,9 +169,11 @@ fn array_content<'t>(
 
 // Arrays that are not text: base64 or raw, compressed or not.
 
+/// The name of the only compression in .vtp files that is read.
 const ZLIB_COMPRESSOR: &str = "vtkZLibDataCompressor";
 /// The largest number of unpacked bytes: those of the largest allowed mesh.
 const MOST_UNPACKED_BYTES: usize = MOST_POINTS * 3 * 8;
+/// The fault that the points of a mesh end too early.
 const POINTS_TRUNCATED: MeshFault = MeshFault::Truncated("its points");
 
 /// How a .vtp file encodes its arrays: byte order, header, compression.
@@ -185,6 +187,7 @@ pub(super) struct Coding<'b> {
 }
 
 impl<'b> Coding<'b> {
+    /// How the file with this tree encodes its arrays; `appended` are the raw bytes after the XML.
     pub(super) fn of(tree: &Tree, appended: Option<&'b [u8]>) -> Self {
         let file = |key| tree.attribute(ElementId::ROOT, key);
         let data = tree.child(ElementId::ROOT, "AppendedData");

@@ -51,6 +51,7 @@ pub struct Sole {
     pub spheres: Vec<SoleSphere>,
 }
 
+/// A sphere under a sole, laid there for `add`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SoleSphere {
     /// The body that carries the sphere: the body of the bone point that is nearest to the bottom of the sphere.
@@ -221,6 +222,7 @@ fn nearest_body(flat: &[GroundPoint], bottom: DVec2, height: f64) -> Option<usiz
 /// The largest number of joints between a body and the top of its limb.
 const MOST_JOINTS: usize = 64;
 
+/// The bodies of one foot with bones, and the limb that they belong to.
 #[derive(Debug, Clone, PartialEq)]
 struct SoleBodies {
     pub bodies: Vec<String>,

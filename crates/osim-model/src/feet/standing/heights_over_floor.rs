@@ -12,6 +12,7 @@ use crate::feet::default_pose::DefaultPose;
 use crate::feet::fault::PoseFault;
 use crate::model::{ForceId, LoadedSphere, Model, Placement, SphereId};
 
+/// The height of a sphere over its floor at the default pose.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SphereOverFloor {
     pub sphere: SphereId,
@@ -101,6 +102,7 @@ fn centre_and_radius(
 
 // How deep spheres are where they carry a load.
 
+/// The contact law with which the equilibrium of a body on its floor is computed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum RestLaw {
     /// Hertz' law (1), without the smoothing of the force's class.
@@ -131,6 +133,7 @@ pub struct RestingSphere {
 }
 
 impl RestLaw {
+    /// Force of the sphere at speed 0, N.
     fn force(self, law: &Law, indentation_m: f64) -> f64 {
         match self {
             Self::Hertz => law.hertz().force(indentation_m),

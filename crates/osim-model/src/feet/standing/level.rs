@@ -45,6 +45,7 @@ pub enum NotLevelled {
     Frame(Box<Fault>),
 }
 
+/// A sphere and its gap to the lowest of its floors, with the normal of this floor.
 struct SphereOverLowestFloor {
     sphere: SphereId,
     gap_m: f64,

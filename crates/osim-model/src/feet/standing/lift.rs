@@ -62,6 +62,7 @@ pub(super) struct LiftingCoordinateSearch<'m> {
 }
 
 impl<'m> LiftingCoordinateSearch<'m> {
+    /// A model at its default pose, ready to search coordinates.
     pub(super) fn of(model: &'m Model, pose: &'m DefaultPose) -> Self {
         Self {
             model,
@@ -191,6 +192,7 @@ pub(super) struct JointTree<'j> {
 }
 
 impl<'j> JointTree<'j> {
+    /// The tree of bodies that `joints` connect with ground.
     pub(super) fn of(joints: &'j [ModelJoint]) -> Self {
         let mut tree = Self { above: HashMap::new(), below: HashMap::new(), tops: HashMap::new() };
         for JointStep { joint, from, to, forward, closes } in joints_from_ground(joints) {

@@ -7,6 +7,7 @@ use crate::xml::{ElementId, opensim_text};
 #[derive(Debug, Clone, PartialEq)]
 pub struct CoordinateFunction(CoordinateFunctionKind);
 
+/// The kinds of OpenSim's functions that are supported, with their numbers.
 #[derive(Debug, Clone, PartialEq)]
 enum CoordinateFunctionKind {
     /// The coefficients of a polynomial, beginning with the highest power. A constant has one coefficient.
@@ -20,16 +21,20 @@ enum CoordinateFunctionKind {
 }
 
 impl CoordinateFunction {
+    /// The function that is 0 everywhere.
     pub(crate) const ZERO: Self = Self(CoordinateFunctionKind::Polynomial(Vec::new()));
 
+    /// Reads the function in `element`; `None` if its class is not supported or its numbers cannot be read.
     pub fn read(document: &Document, element: ElementId) -> Option<Self> {
         CoordinateFunctionKind::read(document, element).map(Self)
     }
 
+    /// The value of the function at `x`.
     pub fn value(&self, x: f64) -> f64 {
         self.0.value(x)
     }
 
+    /// The derivative of the function at `x`.
     pub fn slope(&self, x: f64) -> f64 {
         self.0.slope(x)
     }

@@ -60,6 +60,7 @@ pub(crate) enum JointMotion {
     Spatial(Vec<TransformAxis>),
 }
 
+/// One of the six axes of a CustomJoint: the function by which a coordinate turns or shifts the child along it.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct TransformAxis {
     /// Whether the child rotates about this axis; if not, it moves along the axis.

@@ -11,6 +11,7 @@ use crate::model::components::{ComponentId, Components, MOST_FRAMES_IN_CHAIN};
 use crate::model::{Document, FileId, MovingPlacement, Placement};
 use crate::xml::ElementId;
 
+/// A joint between two bodies, with its places on both, m.
 #[derive(Debug, Clone, PartialEq)]
 pub struct AnatomyJoint {
     pub name: String,
@@ -54,6 +55,7 @@ pub struct ModelJoint {
     motion: OnceLock<Option<JointMotion>>,
 }
 
+/// A coordinate of a joint, with its default value and its range.
 #[derive(Debug, Clone, PartialEq)]
 pub struct JointCoordinate {
     pub name: String,

@@ -46,6 +46,7 @@ struct AnatomyIndex {
 }
 
 impl AnatomyIndex {
+    /// Sorts the bodies, spheres and joints of `anatomy` by name.
     fn new(anatomy: &Anatomy) -> Self {
         let mut index = Self { bodies: anatomy.bodies.iter().cloned().collect(), ..Self::default() };
         for (at, sphere) in anatomy.spheres.iter().enumerate() {
@@ -62,6 +63,7 @@ impl AnatomyIndex {
     }
 }
 
+/// A contact sphere with its body, place and radius, as two models are compared.
 #[derive(Debug, Clone, PartialEq)]
 pub struct AnatomySphere {
     pub name: String,

@@ -24,6 +24,7 @@ pub struct Companion {
     pub included_by: Option<ElementId>,
 }
 
+/// The documents of a model, and the tree of the components in them.
 #[derive(Debug)]
 pub struct Components {
     main: Document,
@@ -49,6 +50,7 @@ pub(crate) enum Carrier {
     Unknown,
 }
 
+/// The frame to which a socket is connected.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct ConnectedFrame {
     /// The component; `None` is ground, which has no element in any file.
@@ -65,6 +67,7 @@ pub(crate) const CONNECTEE_ENDING: &str = "_connectee_name";
 pub(crate) const MOST_FRAMES_IN_CHAIN: usize = 64;
 
 impl Components {
+    /// Makes the component tree of the main file and its companions.
     pub(crate) fn new(main: Document, companions: Vec<Companion>) -> Self {
         let mut tree = ComponentTree::default();
         tree.add(FileId::MAIN, &main, None, CountedSets::All);
@@ -140,6 +143,8 @@ impl Components {
         in_element(owner_element).or_else(|| in_element(document.defaults_of(owner_element)?))
     }
 
+    /// Refuses a model with a text that OpenSim would refuse.
+    ///
     /// # Errors
     /// A socket or a location contains an element or comment in its text; OpenSim refuses such a text.
     pub(crate) fn refuse_broken_texts(&self) -> Result<(), Fault> {
@@ -238,12 +243,12 @@ impl Components {
         Some(ConnectedFrame { component: Some(component), by_name })
     }
 
-    /// Whether `body` is the body that means ground in old documents.
     /// The frame that a socket of component `id` is connected to.
     pub(crate) fn frame_at(&self, id: ComponentId, socket: &str, legacy: &[&str]) -> Option<ConnectedFrame> {
         self.frame_of(id, &self.connectee(id, socket, legacy)?)
     }
 
+    /// Whether `body` is the body that means ground in old documents.
     pub(crate) fn is_ground(&self, body: ComponentId) -> bool {
         self.document_of(body).version() < FIRST_VERSION_WITHOUT_GROUND_BODY && self.name(body) == "ground"
     }

@@ -26,6 +26,7 @@ const CONTACT_PARAMETERS_SETS: [&str; 2] =
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct ComponentId(u32);
 
+/// An object of a model that has a component path, such as a body or a force.
 #[derive(Debug)]
 pub struct Component {
     pub file: FileId,
@@ -73,6 +74,7 @@ pub struct ComponentTree {
     pub skipped: Vec<(FileId, ElementId)>,
 }
 
+/// What an XML element means for the tree of components.
 #[derive(Clone, Copy)]
 enum ElementRole {
     /// The element contains no objects.
@@ -191,6 +193,7 @@ impl ComponentTree {
         ElementRole::Object(self.push(file, id, Some(owner), tag.to_lowercase().into(), false))
     }
 
+    /// Adds a component; `segment` is the last part of its path.
     fn push(
         &mut self,
         file: FileId,

@@ -140,6 +140,7 @@ impl Sphere {
     }
 }
 
+/// The three ways in which a file can write a contact sphere.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum SphereSpelling {
     /// A `ContactSphere` with a `radius` element.
@@ -176,12 +177,14 @@ impl SphereSpelling {
 }
 
 named! {
+    /// The class of a contact force that can be scaled.
     pub enum ForceKind {
         HuntCrossley = "HuntCrossleyForce",
         SmoothSphereHalfSpace = "SmoothSphereHalfSpaceForce",
     }
 }
 
+/// A contact force of a model, with its parameters and the spheres that it presses.
 #[derive(Debug, Clone)]
 pub struct Force {
     pub id: ForceId,

@@ -12,6 +12,7 @@ use crate::xml::{ElementId, TextPosition};
 /// Components of a unit vector below this are rounding errors.
 const ROUNDING_OF_NORMAL: f64 = 1e-12;
 
+/// A `ContactHalfSpace`, on whose surface spheres press, with its place and normal.
 #[derive(Debug, Clone)]
 pub struct HalfSpace {
     pub name: String,
@@ -43,6 +44,7 @@ pub struct HalfSpace {
     component: ComponentId,
 }
 
+/// The XML element that says on which frame a half-space is.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct FrameProperty {
     /// Name of the XML element, such as `socket_frame`.
@@ -155,6 +157,7 @@ impl PartialEq for HalfSpace {
 
 // The orientations of half-spaces and frames, as files have them.
 
+/// The angles of a half-space or of an offset frame, as the file has them.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Orientation {
     /// Component path of the half-space or frame that has this orientation.
@@ -185,6 +188,7 @@ impl Orientation {
         [0.0, about_y + 0.0, libm::atan2(-y, level) + 0.0]
     }
 
+    /// Reads the orientation in the element `tag` of a component; without this element, the angles are `otherwise`, rad.
     pub(super) fn read(
         components: &Components,
         id: ComponentId,

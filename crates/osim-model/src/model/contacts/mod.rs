@@ -238,6 +238,7 @@ impl Model {
 /// Classes of contact forces that do not follow the Hertz law. They are not scaled.
 pub static OTHER_CONTACT_CLASSES: [&str; 3] =
     ["ElasticFoundationForce", "ExponentialContactForce", "MeyerFregly2016Force"];
+/// The tag of the parameters of an `ElasticFoundationForce`.
 const ELASTIC_FOUNDATION_PARAMETERS: &str = "ElasticFoundationForce::ContactParameters";
 
 impl Model {

@@ -20,6 +20,7 @@ struct GeometryFrame {
     component: Option<ComponentId>,
 }
 
+/// The contact geometry that a force names: a sphere, a half-space, or another class.
 #[derive(Clone, Copy)]
 enum ContactGeometry {
     Sphere(SphereId),
@@ -389,6 +390,7 @@ impl Sphere {
 }
 
 impl ParameterSet {
+    /// Adds a contact geometry to the surfaces of this set.
     fn add(&mut self, surface: ContactGeometry) {
         match surface {
             ContactGeometry::Sphere(sphere) => self.spheres.push(sphere),
@@ -413,6 +415,7 @@ pub static GEOMETRY_CLASSES: [&str; 6] = [
 pub(super) const OLD_CONSTANT_TAG: &str = "derivative_smoothing";
 /// The last document version in which `isDisabled` switches a force off. Later documents ignore it.
 pub const LAST_VERSION_WITH_IS_DISABLED: u32 = 30508;
+/// The name of the list of parameter sets in a `HuntCrossleyForce`.
 pub(super) const CONTACT_PARAMETERS_SET: &str = "HuntCrossleyForce::ContactParametersSet";
 
 /// The list of parameter sets of a force, in any of its three spellings. OpenSim prefers the element `<contact_parameters>`, then the set

@@ -123,6 +123,7 @@ impl FaultKind {
         }
     }
 
+    /// The message of the error. Inputs in it are data for a front end.
     pub fn phrase(&self) -> Phrase {
         match self {
             Self::MissingFact(fact) => fact.phrase(),

@@ -84,6 +84,7 @@ pub enum MissingFact {
     HeightRatio,
 }
 
+/// The contact forces of one of several animals in a model.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ForcesOfAnimal {
     /// Name of the topmost body of the animal, which is joined to ground.
@@ -92,6 +93,7 @@ pub struct ForcesOfAnimal {
     pub forces: String,
 }
 
+/// The body whose number of load-sharing spheres is not known: the model, the reference, or the model to compare with.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum CountedSpheres {
     Model,
@@ -100,6 +102,7 @@ pub enum CountedSpheres {
 }
 
 impl CountedSpheres {
+    /// The input with which the caller gives the number of spheres.
     pub const fn input(self) -> Input {
         match self {
             Self::Model => Input::Spheres,
@@ -144,6 +147,7 @@ impl MissingFact {
         }
     }
 
+    /// The message that asks for the fact, with the inputs that give it.
     pub fn phrase(&self) -> Phrase {
         match self {
             Self::BodyMass { body } => phrase![

@@ -53,6 +53,7 @@ pub struct Fault {
 pub struct FileId(usize);
 
 impl FileId {
+    /// The main file.
     pub const MAIN: Self = Self(0);
 
     /// The handle of companion file number `index`, from 0, in the order in which the files were given.
@@ -67,6 +68,7 @@ impl FileId {
 }
 
 impl Fault {
+    /// A fault without a place.
     pub fn new(kind: impl Into<FaultKind>) -> Self {
         Self {
             kind: kind.into(),
@@ -94,11 +96,13 @@ impl Fault {
         Self::new(FaultKind::Refused(text.into()))
     }
 
+    /// The fault with the file in which it is.
     pub fn in_file(mut self, file: FileId) -> Self {
         self.file = file;
         self
     }
 
+    /// The fault with the name or path of the element in which it is.
     pub fn at_element(mut self, element: impl Into<String>) -> Self {
         self.element = Some(element.into());
         self

@@ -34,6 +34,7 @@ impl GravityFor {
         }
     }
 
+    /// The message that the gravity is not known, with the inputs that give it.
     pub(super) fn phrase(self) -> Phrase {
         let whose = if self == Self::Reference { "the reference" } else { "the model" };
         let mut text = phrase![whose, NO_GRAVITY];
@@ -66,6 +67,7 @@ pub enum RadiusChangeReason {
 }
 
 impl RadiusChangeReason {
+    /// Advice on how the radius can stay as it is.
     pub(super) fn phrase(self) -> Phrase {
         match self {
             Self::Rule => phrase!["leave radii as they are with ", Input::Radius.with_value("keep")],

@@ -101,6 +101,7 @@ enum MainFile {
     Parsed(Box<Document>),
 }
 
+/// A file beside the main file of a model, with its bytes.
 #[derive(Debug, Clone)]
 struct CompanionFile {
     path: PathBuf,
@@ -150,10 +151,12 @@ impl ModelFiles {
         Ok(Self { name, main: MainFile::Parsed(Box::new(document)), companions })
     }
 
+    /// The name of the model's main file.
     pub fn name(&self) -> &FileName {
         &self.name
     }
 
+    /// The files, with another name of the main file.
     pub fn with_name(self, name: impl Into<FileName>) -> Self {
         Self { name: name.into(), ..self }
     }
@@ -245,6 +248,7 @@ pub struct OpenModel {
     names: FileNames,
 }
 
+/// The names of all files of a model, for messages.
 struct FileNames {
     main: FileName,
     /// The name of each file, and whether the model includes it.
@@ -269,6 +273,7 @@ impl FileNames {
 }
 
 impl OpenModel {
+    /// The name of the model's main file.
     pub fn name(&self) -> &FileName {
         &self.names.main
     }

@@ -144,6 +144,7 @@ pub trait Files {
     }
 }
 
+/// Why a file cannot be read, in words.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("{0}")]
 pub struct FileError(String);

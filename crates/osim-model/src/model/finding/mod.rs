@@ -61,6 +61,7 @@ pub struct Measure {
 }
 
 impl Finding {
+    /// A finding of `rule`, without a place.
     pub fn new(rule: &'static Rule, message: impl Into<Phrase>) -> Self {
         Self {
             rule,
@@ -78,6 +79,7 @@ impl Finding {
         }
     }
 
+    /// A finding of `rule` at a place in the file.
     pub fn at(rule: &'static Rule, position: TextPosition, message: impl Into<Phrase>) -> Self {
         Self { position: Some(position), ..Self::new(rule, message) }
     }
@@ -86,22 +88,27 @@ impl Finding {
         self.rule.code
     }
 
+    /// The finding with the component path that it is about.
     pub fn with_place(self, path: &str) -> Self {
         Self { place: Some(path.to_owned()), ..self }
     }
 
+    /// The finding with its line and column.
     pub fn with_position(self, position: Option<TextPosition>) -> Self {
         Self { position, ..self }
     }
 
+    /// The finding with the names of its spheres.
     pub fn with_spheres(self, spheres: Vec<String>) -> Self {
         Self { spheres, ..self }
     }
 
+    /// The finding with a sentence for each of its cases.
     pub fn with_details(self, details: Vec<String>) -> Self {
         Self { details, ..self }
     }
 
+    /// The finding with the size of the problem, as a number and in words.
     pub fn with_measure(self, size: f64, text: impl Into<String>) -> Self {
         Self { measure: Some(Measure { size, text: text.into() }), ..self }
     }

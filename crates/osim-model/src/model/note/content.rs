@@ -156,6 +156,7 @@ impl Step {
 }
 
 impl Source {
+    /// The source as a note has it: its name, and the digest of its file.
     fn text(&self) -> String {
         let name: String = in_note_letters(&self.name).replace(' ', "_");
         match &self.digest {
@@ -207,6 +208,7 @@ pub struct NotedParts {
     pub properties: BTreeMap<Property, String>,
 }
 
+/// The number and a digest of names of spheres or forces, in a note.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct NotedNames {
     pub count: usize,
@@ -215,6 +217,7 @@ pub struct NotedNames {
 }
 
 impl NotedParts {
+    /// The digests as a note has them, with blanks between.
     pub(super) fn text(&self) -> String {
         let digest = |property| self.properties.get(&property).map_or(NO_ENTRY, String::as_str);
         let digests: Vec<&str> = properties_of_forces().map(digest).collect();
@@ -238,6 +241,7 @@ fn properties_of_forces() -> impl Iterator<Item = Property> {
 }
 
 impl NotedNames {
+    /// The number and the digest as a note has them.
     fn text(&self) -> String {
         format!("{}:{}", self.count, self.digest)
     }

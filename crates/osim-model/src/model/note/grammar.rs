@@ -15,20 +15,27 @@ use crate::model::note::content::{
     gravity_m_s2, in_note_letters, is_note_letter, mass_kg, number_above_zero,
 };
 
+/// The text with which every note begins; the mass follows.
 pub(super) const NOTE_BEGIN: &str = "[contacts made for ";
+/// The text with which every note ends.
 pub(super) const NOTE_END: &str = ")]";
 /// The text after mass and gravity in every note. Text in square brackets without it is not a note.
 pub(super) const PROGRAM_MARK: &str = " (osim-contact-scale ";
+/// The text in a note in place of body sizes, if it has none.
 const NO_BODY_SIZES: &str = "none";
 /// The text in a note before each step.
 const BEFORE_STEP: &str = "by ";
+/// The text in a note before the number of limbs that share the weight.
 const BEFORE_STANCE_LIMBS: &str = "stance limbs ";
+/// The text in a note before the mass of all bodies together.
 const BEFORE_WEIGHT: &str = "weighed ";
+/// The text in a note before the digests of contacts, radii, places and names.
 const BEFORE_RECORD: &str = "record ";
 /// The text in a note before the names of forces that were added to existing ones.
 const BEFORE_ADDED_FORCES: &str = "added ";
 
 impl Note {
+    /// The text of the note, from its first bracket to its last.
     pub fn text(&self) -> String {
         let known = |value: Option<f64>, unit: &str| {
             value.map_or(UNKNOWN_VALUE.to_owned(), |value| format!("{} {unit}", shortest(value)))

@@ -18,6 +18,7 @@ pub use content::{BodySize, Note, NotedNames, NotedParts, Scope, Source, Step};
 
 /// The separator between other text in the credits and the note, and between authors.
 const CREDITS_SEPARATOR: &str = "; ";
+/// The texts before and after a CDATA section.
 const CDATA_MARKS: (&str, &str) = ("<![CDATA[", "]]>");
 
 /// The `<credits>` of a model with their text, up to the first comment after it, without white space around it. The note is part of this

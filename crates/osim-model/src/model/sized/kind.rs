@@ -142,6 +142,7 @@ impl SizedKind {
 //
 // The defaults are those that `OpenSimObject.newInstanceOfType` of OpenSim 4.6 has.
 
+/// What kind of number a property has: always one kind, or one that depends on its coordinate.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum SizedKindRule {
     Always(SizedKind),

@@ -10,6 +10,7 @@ use crate::model::{ComponentId, Document, Model};
 use crate::xml::{ElementId, opensim_text};
 pub use kind::{Dimension, SizedKind};
 
+/// A number of a model that changes with body size, and the object that has it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SizedValue {
     pub kind: SizedKind,
@@ -74,6 +75,7 @@ impl SizedValues {
 /// Why the numbers of a force on a coordinate are not read.
 const FORCE_ON_UNKNOWN_COORDINATE: &str = "coordinates that are missing, or neither an angle nor a length";
 
+/// Reads the numbers of a model that change with body size, one object after the other.
 struct SizedValueReader<'m> {
     model: &'m Model,
     /// Whether each coordinate is an angle. Read when the first force on a coordinate is found.
@@ -82,6 +84,7 @@ struct SizedValueReader<'m> {
 }
 
 impl SizedValueReader<'_> {
+    /// Adds the numbers of one component.
     fn add(&mut self, id: ComponentId, values: &mut Vec<SizedValue>) {
         let components = self.model.components();
         let class = components.tag(id);

@@ -22,6 +22,7 @@ use crate::remarks::{JointPositions, question_about_pad, remarks_on_parts_of_fee
 /// front end.
 const UNEQUAL_POSES_RAD: f64 = std::f64::consts::PI / 180.0;
 
+/// Where the places of new spheres come from, if not from the reference.
 pub(super) enum NewSpherePlaces {
     Table(TablePlaces),
     Feet(FeetPlaces),

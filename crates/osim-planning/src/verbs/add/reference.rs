@@ -80,6 +80,7 @@ impl ContactNumbers {
         })
     }
 
+    /// The numbers of the reference; an error without a reference.
     fn reference_numbers(&self) -> Result<&ReferenceNumbers, Fault> {
         match self {
             Self::Reference(reference) => Ok(reference),
@@ -132,6 +133,7 @@ impl ContactNumbers {
 }
 
 impl ReferenceNumbers {
+    /// The numbers of the contacts in `layout`; `reference` has the same contacts, as `transfer_planner` takes them.
     pub(super) fn new(
         layout: ContactLayout,
         reference: Reference,

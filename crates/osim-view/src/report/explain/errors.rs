@@ -4,6 +4,7 @@
 
 use osim_model::messages::Phrase;
 
+/// An error by its code: what it means, and what the user can do.
 #[derive(Debug, PartialEq, Eq)]
 pub struct ErrorCode {
     /// Code of the error, as JSON has it in `error.code`.
@@ -68,6 +69,7 @@ macro_rules! codes {
     };
 }
 
+/// Errors about files that cannot be read or written.
 const FILE_ERRORS: &[ErrorCode] = codes! {
     "unreadable": "the file, or one that belongs to it, is not there or cannot be read; a link leads nowhere or back; another program is writing it; a pipe, a device or a folder is in the place of a file; it is larger than 2 GiB",
         "check name, folder and permissions. Dragging the file onto the terminal types its path for you";
@@ -89,6 +91,7 @@ const FILE_ERRORS: &[ErrorCode] = codes! {
         "name the force set and give `geometry=FILE`; see docs/scaling.md";
 };
 
+/// Errors about the content of a model.
 const MODEL_ERRORS: &[ErrorCode] = codes! {
     "not-a-number": "a number that OpenSim reads as another one: 1,5e6 is 1 for OpenSim, abc is its default",
         "write the number plainly, like 1.5e6";
@@ -104,6 +107,7 @@ const MODEL_ERRORS: &[ErrorCode] = codes! {
         "correct the path; OpenSim could not connect it either";
 };
 
+/// Errors that ask for a fact or for an answer.
 const QUESTION_ERRORS: &[ErrorCode] = codes! {
     "no-mesh": "a body of `feet` shows no mesh, so nothing says where its sole is",
         "name another body, or give the places in a table: `contacts=TABLE`";
@@ -156,6 +160,7 @@ const QUESTION_ERRORS: &[ErrorCode] = codes! {
         "`reference_sphere=NAME`";
 };
 
+/// Errors about the request itself.
 const REQUEST_ERRORS: &[ErrorCode] = codes! {
     "refused": "the request makes no sense for this model; the message says why (for example, no force is left by `select`)",
         "as the message says";

@@ -100,6 +100,7 @@ const LEAST_LETTERS_OF_PART: usize = 5;
 const MOST_PROPOSED_NAMES: usize = 2;
 
 impl UnknownTopic {
+    /// The fault about this name, with the names of similar topics.
     fn new(name: &str) -> Self {
         let topics: Vec<&'static str> = Topic::all().into_iter().map(Topic::name).collect();
         let likeness = |topic: &str| strsim::normalized_damerau_levenshtein(name, topic);
@@ -180,6 +181,7 @@ pub(super) fn quantity(name: &str) -> Option<&'static QuantityTopic> {
 }
 
 impl QuantityTopic {
+    /// A quantity with its trap, if the list of traps has one.
     fn new(name: &'static str, unit: &'static str, what: &'static str) -> Self {
         let trap = traps::ALL.iter().find(|trap| trap.name == name);
         let (symbols, trap) = trap.map_or((&[][..], ""), |trap| (trap.symbols, trap.trap));

@@ -18,6 +18,7 @@ use crate::report::layout::{WIDTH, table};
 
 /// A difference of curves below this (in radii and body weights) comes from rounding in the integration, and is printed as "below" this.
 const ROUNDING_OF_CURVES: f64 = 1e-9;
+/// The height of the chart of a drop, in lines of text.
 const CHART_ROWS: usize = 16;
 
 /// The values of a drop, whether they are within the limits of the laws, and the difference from another drop, for a terminal with

@@ -168,6 +168,7 @@ pub struct MotionColumn {
     pub cells: MotionCells,
 }
 
+/// The values of one column in the table of a motion.
 #[derive(Debug, Clone, PartialEq)]
 pub enum MotionCells {
     Numbers(Vec<f64>),

@@ -9,10 +9,14 @@ use super::motion::{corrected_motion, moved_plates_xml, plates_sto, storage_file
 
 /// The script with a placeholder for the feet and the times.
 const SCRIPT: &str = include_str!("track.py");
+/// The line of the script in which the feet are filled in.
 const FEET: &str = "FEET = {}\n";
+/// The line of the script in which the first and the last time are filled in.
 const TIMES: &str = "START, END = 0.0, 1.0\n";
 
+/// Names of the files for Moco, in their folder.
 pub const MOCO_FILES: [&str; 5] = ["model.osim", "motion.sto", "plates.sto", "plates.xml", "track.py"];
+/// Names of the files for NMSM, in their folder.
 pub const NMSM_FILES: [&str; 3] = ["model.osim", "motion.sto", "plates.sto"];
 
 /// The texts of [`MOCO_FILES`], which track a corrected motion with Moco; none if the request wants none.
