@@ -278,14 +278,17 @@ impl<'m> PosedTrees<'m> {
         Some(weighted_mean(tree.bodies.iter().copied())? - weighted_mean(centres)?)
     }
 
+    /// The joint tree to which `body` belongs.
     fn tree_of_body(&self, body: &str) -> Option<&BodyTree> {
         self.trees.get(self.movements.top(body))
     }
 
+    /// The name of the body that carries the sphere.
     fn body_of(&self, sphere: SphereId) -> Option<&str> {
         self.model.sphere(sphere)?.body.as_deref()
     }
 
+    /// The centre of the sphere in ground at the default pose, m.
     fn centre_of_sphere(&self, sphere: SphereId) -> Option<DVec3> {
         let body = self.body_of(sphere)?;
         Some(self.pose.placement(body).ok()?.point(self.model.centre_m(sphere)?))

@@ -354,6 +354,7 @@ impl KnownContactsEntry {
     }
 }
 
+/// All entries of the table of known contacts.
 fn entries() -> &'static [KnownContactsEntry] {
     static ENTRIES: OnceLock<Vec<KnownContactsEntry>> = OnceLock::new();
     // A test checks that the table can be read.
@@ -376,6 +377,7 @@ impl ReferenceContacts {
         Self { name: name.to_owned(), parameters }
     }
 
+    /// The name of the reference, as messages show it.
     pub(crate) fn title(&self) -> String {
         shown(&self.name).to_string()
     }
@@ -396,6 +398,7 @@ impl ReferenceContacts {
     }
 }
 
+/// The numbers of all parameter sets of a force, in order.
 fn values_of_all_sets(force: &Force) -> Vec<f64> {
     force.sets.iter().flat_map(|set| &set.values).map(|value: &Value| value.number).collect()
 }

@@ -129,6 +129,7 @@ impl LoadSharing {
     }
 }
 
+/// How many spheres share the weight on this many limbs with `spheres` each.
 fn spheres_on_limbs(spheres: usize, stance_limbs: f64) -> f64 {
     spheres as f64 * stance_limbs
 }
@@ -268,6 +269,7 @@ pub fn masses_perhaps_in_pounds(
     find_unexplained(masses.masses_perhaps_in_pounds(model), masses, model, selection)
 }
 
+/// The first of the `suspicions` about masses that neither the note nor known contacts explain.
 fn find_unexplained(
     suspicions: Vec<Suspicion>,
     masses: &MassRequest,

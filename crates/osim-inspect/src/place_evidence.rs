@@ -259,6 +259,7 @@ fn sphere_centres(model: &Model) -> Option<Vec<SphereCentre<'_>>> {
 }
 
 impl PublishedLayout {
+    /// Whether the centres are the published places, compared directly or by digest.
     fn has_places(&self, centres: &DigestedCentres<'_>) -> bool {
         self.matches(&centres.list, |own| {
             own == centres.digest.get_or_init(|| digest_of_places(&centres.list))
@@ -315,6 +316,7 @@ impl SphereCentre<'_> {
 }
 
 impl PublishedPlace {
+    /// Whether a centre is at this place on the body of the same name, within a tolerance.
     fn is_at(&self, other: &SphereCentre<'_>, tolerance_m: f64) -> bool {
         let near = |a: f64, b: f64| (a - b).abs() <= tolerance_m;
         let [x, y, z] = other.at_m;
@@ -345,6 +347,7 @@ fn published_name(body: &str) -> &str {
     ["_r", "_l"].iter().find_map(|side| body.strip_suffix(side)).unwrap_or(body)
 }
 
+/// The table of published layouts.
 fn published_layouts() -> &'static [PublishedLayout] {
     static PUBLISHED_LAYOUTS: OnceLock<Vec<PublishedLayout>> = OnceLock::new();
     // A test checks that the table can be read.

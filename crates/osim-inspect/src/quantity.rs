@@ -44,6 +44,7 @@ impl Quantity {
         Self::new(property.name(), property.name(), property.unit())
     }
 
+    /// The quantity with another label.
     pub const fn labelled(self, label: &'static str) -> Self {
         Self { label, ..self }
     }
@@ -53,6 +54,7 @@ impl Quantity {
         Self { equation, ..self }
     }
 
+    /// The quantity with a limit.
     pub const fn with_limit(self, limit: &'static Limit) -> Self {
         Self { limit: Some(limit), ..self }
     }
@@ -103,10 +105,12 @@ impl Quantity {
         self.doc.trim_ascii()
     }
 
+    /// The unit after a comma, for a label; empty without a unit.
     fn unit_suffix(&self) -> String {
         if self.unit.is_empty() { String::new() } else { format!(", {}", self.unit) }
     }
 
+    /// The number of the equation in brackets, for a label; empty without an equation.
     fn equation_suffix(&self) -> String {
         if self.equation.is_empty() { String::new() } else { format!(" ({})", self.equation) }
     }

@@ -191,6 +191,7 @@ impl BodyBones {
         Self { anatomy, bodies, farthest }
     }
 
+    /// The bone of a body, which is computed at the first call.
     fn bone_of_body(&self, body: &str) -> Option<&BodyBone> {
         let bone = self.bodies.get(body)?;
         Some(bone.get_or_init(|| BodyBone {
@@ -263,17 +264,20 @@ impl BodyBones {
         self.bone_of_body(body).is_some_and(|bone| bone.is_foot)
     }
 
+    /// The ends of OpenSim's standard foot, if `body` is its hind part.
     fn standard_foot(&self, body: &str) -> Option<StandardFoot> {
         self.bone_of_body(body)?.standard_foot
     }
 }
 
+/// The scale factors that all meshes of a body have in common; `None` if they differ.
 fn common_factors(anatomy: &Anatomy, body: &str) -> Option<[f64; 3]> {
     let mut factors = anatomy.meshes.get(body)?.values().copied();
     let first = factors.next().filter(|factors| factors.iter().all(|factor| factor.is_finite()))?;
     factors.all(|other| same_size(other, first)).then_some(first)
 }
 
+/// Whether the name or the meshes of a body are those of a foot.
 fn is_foot(anatomy: &Anatomy, body: &str) -> bool {
     // The meshes of a hand have phalanges, too.
     if body.to_lowercase().contains("hand") {
@@ -293,6 +297,7 @@ fn factors_of_opensim_bone(anatomy: &Anatomy, body: &str, bone: &str) -> Option<
     meshes.iter().find(is_standard).map(|(_, factors)| *factors)
 }
 
+/// The ends of OpenSim's standard foot on `body`, if the body has the mesh of its hind part.
 fn standard_foot(anatomy: &Anatomy, body: &str) -> Option<StandardFoot> {
     let [foot, ..] = factors_of_opensim_bone(anatomy, body, "foot")?;
     let mut next = anatomy.joints_below(body);

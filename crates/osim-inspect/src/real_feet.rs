@@ -85,6 +85,7 @@ fn range(values: impl Iterator<Item = f64>) -> Option<[f64; 2]> {
     })
 }
 
+/// A range in words; one number if both ends look the same.
 fn between(range: [f64; 2]) -> String {
     let [least, most] = range.map(four_significant);
     if least == most { least } else { format!("{least} to {most}") }

@@ -80,6 +80,7 @@ impl Verdict {
         Self { on, sign, text, place: worst.place.clone(), codes }
     }
 
+    /// The verdict with more text after a semicolon.
     fn with_addition(mut self, more: Option<Phrase>) -> Self {
         if let Some(more) = more {
             self.text.push("; ");
@@ -266,6 +267,7 @@ fn made_for(inspected: &InspectedModel<'_>) -> Option<Phrase> {
     Some(phrase!["made for {} kg ({}{})"; readable(mass.value), &mass.description, by.unwrap_or_default()])
 }
 
+/// Describes how many spheres each limb has, and whether left and right agree.
 fn describe_sides(inspected: &InspectedModel<'_>) -> Result<Phrase, Phrase> {
     let inspection = inspected.inspection;
     let Some(limbs) = inspection.limbs.as_deref().filter(|limbs| !limbs.is_empty()) else {

@@ -67,6 +67,7 @@ impl LibraryFault {
         ])
     }
 
+    /// The fault with the name of the failed action before its message.
     pub fn with_context(self, what: impl Display) -> Self {
         Self { message: phrase![format!("{what}: "), &self.message], cause: self.cause }
     }
@@ -80,6 +81,7 @@ impl LibraryFault {
         self.message.spelled(dialect)
     }
 
+    /// The fault as the failure of a model, with this code.
     pub fn into_failure(self, model: impl Into<FileName>, code: &'static str) -> Failure {
         Failure::outside(model, code, &self.message)
     }

@@ -24,6 +24,7 @@ impl PartialFile {
     /// The ending of a partial file's name, after the name of the complete file.
     pub(crate) const ENDING: &'static str = ".partial";
 
+    /// The path of the partial file that belongs to the file `whole`.
     pub(crate) fn path_for(whole: &Path) -> PathBuf {
         let mut name = OsString::from(whole.as_os_str());
         name.push(Self::ENDING);
@@ -107,6 +108,7 @@ impl PartialFile {
     }
 }
 
+/// The fault that another run is writing the file.
 fn fault_of_file_in_use(whole: &Path, way_out: &Phrase) -> LibraryFault {
     LibraryFault::busy(phrase![format!("{} is being written by another run: ", whole.display()), way_out])
 }

@@ -63,6 +63,7 @@ pub(crate) struct Resolver {
 }
 
 impl Resolver {
+    /// The absolute path, as the function `resolved` gives it.
     pub(crate) fn resolved(&mut self, path: &Path) -> PathBuf {
         let Some(name) = path.file_name() else { return resolved(path) };
         if path.is_symlink() {

@@ -123,6 +123,7 @@ fn is_report_page(path: &Path) -> bool {
         .is_ok_and(|head| memchr::memmem::find(&head, GENERATOR.as_bytes()).is_some())
 }
 
+/// Refuses a page whose name does not end like that of an HTML file.
 fn check_name(path: &Path) -> Result<(), LibraryFault> {
     let ending = path.extension().map(|ending| ending.to_string_lossy().to_ascii_lowercase());
     match ending.as_deref() {
@@ -224,6 +225,7 @@ pub fn entry_of_record(record: &Record, earlier: bool) -> Entry {
     Entry::of_earlier_record(&row_of_record(record), &left)
 }
 
+/// The row of the page for a line of the summary.
 fn row_of_record(record: &Record) -> RunRow {
     let mut row = RunRow::new(record.model.as_str(), record.status.describe());
     row.row = record.row;

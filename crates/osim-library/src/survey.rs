@@ -144,6 +144,7 @@ impl Survey<'_> {
         several && !self.shows_each && !self.layout.extent.is_full()
     }
 
+    /// Inspects or checks one model; with its entry on the report page if there is one.
     fn survey_model(
         &self,
         source: &ModelSource,
@@ -162,6 +163,7 @@ impl Survey<'_> {
         }
     }
 
+    /// Reads, inspects and checks one model.
     fn inspect_and_check(
         &self,
         source: &ModelSource,

@@ -32,6 +32,7 @@ pub struct ModelCoordinate {
     pub(crate) prescribed: Option<Option<CoordinateFunction>>,
 }
 
+/// All coordinates of the model, in the order of its joints.
 pub(crate) fn model_coordinates(model: &Model, joints: &[ModelJoint]) -> Vec<ModelCoordinate> {
     let mut all = Vec::new();
     for joint in joints {

@@ -68,6 +68,7 @@ impl Foot {
         self.pairs.iter().filter_map(move |&pair| states.frame(frame).get(pair))
     }
 
+    /// The contact of the foot with the largest indentation in one frame.
     pub(crate) fn deepest_contact<'s>(
         &self,
         states: &'s ContactStates,
@@ -85,6 +86,7 @@ fn pairs_with_ground(states: &ContactStates, is_wanted: impl Fn(&ContactPair) ->
         .collect()
 }
 
+/// The bodies that carry the spheres of these contact pairs, each once.
 fn bodies_of_pairs(states: &ContactStates, pairs: &[usize]) -> Vec<String> {
     let mut bodies: Vec<String> = Vec::new();
     for pair in pairs.iter().filter_map(|&index| states.pairs.get(index)) {
@@ -143,6 +145,7 @@ impl StancePhase {
         Some(self.off_s? - self.on_s?)
     }
 
+    /// The frames of the stance.
     pub const fn frames(&self) -> RangeInclusive<usize> {
         self.first..=self.last
     }

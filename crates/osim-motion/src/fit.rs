@@ -280,10 +280,12 @@ impl<'t> FitProblem<'t> {
         deviates
     }
 
+    /// The bound of x/R, if spheres move, so that it has to be kept by a penalty.
     fn most_depth(&self) -> Option<f64> {
         self.bounds.most_relative_indentation.filter(|_| self.bounds.spheres_move)
     }
 
+    /// The number of frames of all feet together.
     fn frames(&self) -> usize {
         self.trials.iter().flat_map(|trial| &trial.feet).map(|foot| foot.measured_n.len()).sum()
     }

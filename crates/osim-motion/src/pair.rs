@@ -85,6 +85,7 @@ struct PairBuilder<'m> {
 }
 
 impl PairBuilder<'_> {
+    /// The contact pair of a sphere and what it touches.
     fn build(&self, sphere: &Sphere, touched: TouchedSurface) -> Result<ContactPair, Fault> {
         let Self { model, force, set, .. } = *self;
         let at_force = |error: contact_scaling::DomainError| Fault::new(error).at_element(force.path.clone());

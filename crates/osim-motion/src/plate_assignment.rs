@@ -109,6 +109,7 @@ impl MeasuredForces {
         }
     }
 
+    /// Adds the force of a plate to the foot that it measured.
     fn add_plate(
         &mut self,
         plate: &Plate,
@@ -141,6 +142,7 @@ impl MeasuredForces {
     }
 }
 
+/// Adds a force to that of one frame; if either is unknown, the sum is.
 fn add_to_frame(series: &mut [Option<Wrench>], frame: usize, wrench: Option<Wrench>) {
     if let Some(sum) = series.get_mut(frame) {
         *sum = sum.zip(wrench).map(|(sum, wrench)| sum.plus(&wrench));
@@ -166,6 +168,7 @@ fn candidate_feet(plate: &Plate, feet: &[Foot]) -> Vec<usize> {
     Side::of_name(&plate.name).map_or_else(|| indices(&|_| true), on_side)
 }
 
+/// The foot on a plate: by its load, by the side in its name, or the only foot; else the nearest foot in each frame.
 fn assign_plate(plate: &Plate, feet: &[Foot]) -> PlateAssignment {
     let (foot, by) = match candidate_feet(plate, feet).as_slice() {
         &[only] if plate.body.is_some() => (Some(only), Some(AssignedBy::Loads)),

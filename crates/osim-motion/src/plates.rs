@@ -117,11 +117,13 @@ impl Plate {
         time_s.iter().filter_map(|&time_s| self.at(time_s)).all(|wrench| wrench.force_n.length() <= NOISE_N)
     }
 
+    /// The time and the force of one row of the table.
     fn wrench_of_row(&self, row: usize) -> Option<(f64, Wrench)> {
         Some((*self.time_s.get(row)?, *self.wrenches.get(row)?))
     }
 }
 
+/// Whether the name of a frame means ground.
 fn is_ground(frame: &str) -> bool {
     matches!(frame, "" | "ground" | "/ground")
 }

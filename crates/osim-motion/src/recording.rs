@@ -97,6 +97,7 @@ impl Recording {
         Ok(recording)
     }
 
+    /// The number of frames.
     pub fn frames(&self) -> usize {
         self.time_s.len()
     }
@@ -164,6 +165,7 @@ impl Recording {
         Ok(all)
     }
 
+    /// Reads the coordinates of each joint from their columns.
     fn read_columns(
         &mut self,
         table: &Table,
@@ -188,6 +190,7 @@ impl Recording {
         Ok(())
     }
 
+    /// Reads one coordinate from its column; without one it has its prescribed value or its default.
     fn read_coordinate(
         &mut self,
         table: &Table,
@@ -233,6 +236,7 @@ impl Recording {
         Ok(())
     }
 
+    /// Sets the values and speeds of one coordinate in all frames.
     fn set_coordinate(&mut self, index: usize, values: &[f64], speeds: &[f64]) {
         let count = self.coordinates.len();
         let places = self.values.iter_mut().skip(index).step_by(count);
@@ -282,10 +286,12 @@ impl Recording {
     }
 }
 
+/// The numbers of one frame among those of all frames.
 fn row_of_frame(all: &[f64], frame: usize, count: usize) -> &[f64] {
     all.get(frame * count..(frame + 1) * count).unwrap_or_default()
 }
 
+/// The error that no column of the table is a coordinate of the model.
 fn no_column_fits(coordinates: &[ModelCoordinate], table: &Table) -> MotionFault {
     let listed = |names: Vec<&str>| {
         let shown = names.iter().take(5).map(|name| format!("'{name}'")).collect::<Vec<_>>().join(", ");

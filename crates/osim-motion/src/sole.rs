@@ -133,6 +133,7 @@ fn in_foot_axes(before: &[[f64; 2]], now: &[[f64; 2]], point: [f64; 2]) -> [f64;
     [cosine * ahead + sine * right, cosine * right - sine * ahead]
 }
 
+/// One point minus the other.
 fn difference_of_points(one: [f64; 2], other: [f64; 2]) -> [f64; 2] {
     [one[0] - other[0], one[1] - other[1]]
 }

@@ -154,6 +154,7 @@ impl ContactStates {
         Self::from_pairs(model, recording, (self.pairs.clone(), self.planes.clone()), belt)
     }
 
+    /// Computes the states of given contact pairs along a recording.
     fn from_pairs(
         model: &Model,
         recording: &Recording,
@@ -254,6 +255,7 @@ struct SurfaceInFrame {
 }
 
 impl Surface {
+    /// The surface of a plane on ground or on a body.
     fn from_plane(plane: &HalfSpace, paths: &JointPaths<'_>) -> Result<Self, StatesError> {
         let unread = || Fault::refused(format!("the place of half-space {} cannot be read", plane.path));
         let (normal, point_m) = plane.normal.zip(plane.point_m).ok_or_else(unread)?;
@@ -264,6 +266,7 @@ impl Surface {
         Ok(Self { body, point_m, shape: SurfaceShape::Plane(normal) })
     }
 
+    /// The surface of a sphere that another sphere touches.
     fn from_sphere(model: &Model, id: SphereId, paths: &JointPaths<'_>) -> Result<Self, Fault> {
         let unread = || Fault::refused("the place of a sphere that another one touches cannot be read");
         let (sphere, point_m) = model.sphere(id).zip(model.centre_m(id)).ok_or_else(unread)?;
@@ -291,6 +294,7 @@ impl Surface {
     }
 }
 
+/// The state of one contact pair in one frame.
 fn contact_state(
     pair: &ContactPair,
     moving: &MovingPlacement,
@@ -355,6 +359,7 @@ impl Wrench {
         self
     }
 
+    /// The sum of two wrenches.
     pub fn plus(&self, other: &Self) -> Self {
         Self { force_n: self.force_n + other.force_n, moment_n_m: self.moment_n_m + other.moment_n_m }
     }

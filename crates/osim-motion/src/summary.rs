@@ -320,6 +320,7 @@ fn lost_in_stride_j(states: &ContactStates, foot: &Foot, spans: &[(f64, f64)]) -
     (!spans.is_empty()).then(|| spans.iter().map(lost).sum::<f64>() / spans.len() as f64)
 }
 
+/// Every moment at which the bottom of a sphere comes to its plane.
 fn touch_downs(time_s: &[f64], states: &[&ContactState], dissipation: f64) -> Vec<TouchDown> {
     let mut found = Vec::new();
     for (times, pair) in time_s.windows(2).zip(states.windows(2)) {
@@ -349,6 +350,7 @@ fn frames_between(time_s: &[f64], (from_s, to_s): (f64, f64)) -> Range<usize> {
     before(from_s)..before(to_s)
 }
 
+/// The index of the largest value, and the value.
 fn largest_with_index(values: &[f64]) -> (usize, f64) {
     let mut best = (0, f64::NEG_INFINITY);
     for (index, &value) in values.iter().enumerate() {
@@ -359,6 +361,7 @@ fn largest_with_index(values: &[f64]) -> (usize, f64) {
     best
 }
 
+/// The median slip velocity of the states, component by component, m/s.
 fn median_slip_m_s(states: &[&ContactState]) -> Option<DVec3> {
     let median = |axis: usize| {
         let parts: Vec<f64> = states.iter().map(|state| state.slip_m_s[axis]).collect();

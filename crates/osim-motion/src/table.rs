@@ -100,6 +100,7 @@ impl Table {
         ))
     }
 
+    /// Reads one line of the header: the unit of angles, the version, or that the motion was corrected.
     fn read_line_of_header(&mut self, line: &str) {
         let lower = line.to_ascii_lowercase();
         // `inDegrees=yes`, `inDegrees yes`, and a sentence that OpenSim writes for people.
@@ -246,6 +247,7 @@ fn split_names(line: &str) -> Vec<String> {
     names.map(str::trim_ascii).filter(|name| !name.is_empty()).map(str::to_owned).collect()
 }
 
+/// Reads the number in a cell.
 fn parse_number(cell: &str, column: &str, line: usize) -> Result<f64, MotionFault> {
     cell.parse().map_err(|_| {
         let (cell, column) = (shortened(cell), shortened(column));
@@ -274,6 +276,7 @@ pub struct Gap {
 }
 
 impl Gap {
+    /// How long the gap is, s.
     pub fn length_s(&self) -> f64 {
         self.to_s - self.from_s
     }

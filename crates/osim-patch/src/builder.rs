@@ -87,6 +87,7 @@ impl<'m> PlanBuilder<'m> {
         })
     }
 
+    /// Plans a change of a sphere's radius.
     pub(crate) fn change_radius(&mut self, sphere: SphereId, new: NewNumber) -> Result<(), Fault> {
         let from = self.model.radius_m(sphere)?;
         let Some(sphere) = self.model.sphere(sphere) else { return Ok(()) };
@@ -139,6 +140,7 @@ impl<'m> PlanBuilder<'m> {
         self.add_move((plane.name.clone(), plane.path.clone()), (from, to), by, slot)
     }
 
+    /// Adds a new place of a sphere or half-space.
     fn add_move(
         &mut self,
         (geometry, path): (String, String),
@@ -158,6 +160,7 @@ impl<'m> PlanBuilder<'m> {
         self.model.file(slot.file).position(slot.offset).line
     }
 
+    /// Refuses a change in a file that the model includes.
     fn refuse_included(&self, file: FileId, path: &str) -> Result<(), Fault> {
         let Some(included) = self.model.included_file(file) else { return Ok(()) };
         let kind = FaultKind::IncludedFile { path: path.to_owned(), file: included.to_owned() };
@@ -254,6 +257,7 @@ pub(crate) fn change_composite(
     Ok(())
 }
 
+/// The present parameter that a force reads for both surfaces together: E₁* of two equal surfaces, or α.
 fn present_composite(
     plan: &PlanBuilder<'_>,
     force: &Force,

@@ -123,6 +123,7 @@ impl ChangedBy {
         }
     }
 
+    /// The rule in words, for messages.
     fn in_words(self) -> String {
         match self {
             Self::Equation(numbers) => format!("equation ({numbers})"),
@@ -175,6 +176,7 @@ impl NumberChange {
         Fault::at(fault.kind, self.slot.offset).at_element(self.path.clone()).in_file(self.slot.file)
     }
 
+    /// How the new value was computed, in words.
     fn origin_of_value(&self) -> String {
         match self.factor {
             Some(factor) => {
@@ -244,6 +246,7 @@ pub(crate) fn triple_text(
     }
 }
 
+/// The fault that a new value may not be written.
 fn refused_number(property: &str, value: f64, expected: &'static str, origin: String) -> Fault {
     Fault::new(FaultKind::NewValue { property: property.to_owned(), value, expected, origin })
 }

@@ -359,6 +359,7 @@ impl Design {
         }
     }
 
+    /// What the design wants, as the first line of a report.
     fn describe(&self) -> Phrase {
         let mut parts: Vec<Phrase> = Vec::new();
         if let Some(load) = &self.load {
@@ -374,6 +375,7 @@ impl Design {
         Phrase::joined(parts, "; ").unwrap_or_else(|| "another radius".into())
     }
 
+    /// Each wanted quantity in words.
     fn wanted_in_words(&self) -> Vec<String> {
         let modulus = self.modulus.map(|modulus| match modulus {
             DesignModulus::Indentation(x) => format!("relative indentation {}", readable(x)),

@@ -72,6 +72,7 @@ impl<'b> Patch<'b> {
         parts.flat_map(|(start, (end, text))| [self.bytes.get(start..end).unwrap_or_default(), text])
     }
 
+    /// The new bytes as one copy.
     pub fn to_vec(&self) -> Vec<u8> {
         let added: usize = self.edits.iter().map(|edit| edit.text.len()).sum();
         let mut output = Vec::with_capacity(self.bytes.len() + added);

@@ -27,10 +27,12 @@ impl NewElement {
         Self { tag: tag.into(), name: None, content: ElementContent::Text(text.into()) }
     }
 
+    /// An element with children.
     pub(crate) fn parent(tag: impl Into<String>, children: Vec<Self>) -> Self {
         Self { tag: tag.into(), name: None, content: ElementContent::Children(children) }
     }
 
+    /// An element with a name and children.
     pub(crate) fn object(tag: impl Into<String>, name: &str, children: Vec<Self>) -> Self {
         Self { name: Some(escaped_attribute(name)), ..Self::parent(tag, children) }
     }
@@ -47,6 +49,7 @@ impl NewElement {
         text
     }
 
+    /// Writes the element and its children at the end of `text`.
     fn write(&self, text: &mut String, space: &str, unit: &str) {
         text.push_str(space);
         text.push('<');
@@ -198,6 +201,7 @@ fn indentation(space: &str) -> &str {
     space.rsplit('\n').next().unwrap_or_default()
 }
 
+/// The bytes of the comments inside an element.
 fn comment_spans(tree: &Tree, parent: ElementId) -> impl DoubleEndedIterator<Item = Range<usize>> + '_ {
     tree.content(parent).filter(|piece| piece.kind == PieceKind::Comment).map(|piece| piece.span)
 }
@@ -238,6 +242,7 @@ impl<'t> EmptyElement<'t> {
         })
     }
 
+    /// Puts `nodes` into the element.
     fn fill(&self, nodes: &[&NewElement]) -> Edit {
         let text: String = nodes.iter().map(|node| node.text(&self.inner, &self.unit)).collect();
         Edit {

@@ -121,6 +121,7 @@ pub(crate) fn write_second_note(document: &Document, note: &Note) -> Vec<Edit> {
     write_note_with(document, note, |credits| credits.edits_for_another(note))
 }
 
+/// Writes the note: into the credits of a model by the edits that `of` gives, or as a comment into a set.
 fn write_note_with(
     document: &Document,
     note: &Note,
@@ -197,6 +198,7 @@ fn bytes_with_edits(document: &Document, span: Range<usize>, edits: &[Edit]) -> 
     splice(document.bytes().get(span.clone())?, &shifted.collect::<Vec<_>>()).ok()
 }
 
+/// The edits of the text of `<credits>` as edits of the file; an empty tag is opened.
 fn edits_in_credits(tree: &Tree, credits: &Credits<'_>, edits: Vec<(Range<usize>, String)>) -> Vec<Edit> {
     if !tree.is_empty_tag(credits.element) {
         let edits = edits.into_iter().map(|(span, text)| Edit { span, text });
@@ -209,6 +211,7 @@ fn edits_in_credits(tree: &Tree, credits: &Credits<'_>, edits: Vec<(Range<usize>
     vec![Edit { span: end_of_empty_tag(tree, credits.element), text: format!(">{text}</{CREDITS_TAG}>") }]
 }
 
+/// The edit that removes the bytes `span` and the white space before them.
 fn removal_edit(tree: &Tree, span: Range<usize>) -> Edit {
     Edit { span: with_white_space_before(tree, span), text: String::new() }
 }

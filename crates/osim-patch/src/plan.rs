@@ -242,6 +242,7 @@ impl Plan {
         Self { taken, rebuilt: Some(rebuilt), ..Self::default() }
     }
 
+    /// The plan with another note.
     pub fn with_note(mut self, note: Option<Note>) -> Self {
         self.note = note;
         self
@@ -368,6 +369,7 @@ impl Plan {
         Ok(edits)
     }
 
+    /// The model after the plan, read from its new bytes.
     pub fn changed_model(&self, model: &Model) -> Result<Model, Fault> {
         let others = self.files(model).filter(|&file| file != FileId::MAIN);
         let others =

@@ -68,6 +68,7 @@ impl Radii {
         root_mean_square(self.radius_pairs_of_contacts(model, force).iter().map(|pair| pair.new))
     }
 
+    /// Old and new radius of each contact of a force; of two spheres that press each other, their composite radius.
     fn radius_pairs_of_contacts(&self, model: &Model, force: &Force) -> Vec<RadiusPair> {
         let two = model.sphere_pairs(force);
         if two.is_empty() {
@@ -90,6 +91,7 @@ impl Radii {
         root_mean_square(self.radius_pairs(force).iter().map(|pair| pair.new))
     }
 
+    /// Old and new radius of each sphere of a force that is changed.
     fn radius_pairs(&self, force: &Force) -> Vec<RadiusPair> {
         force.spheres().iter().filter_map(|sphere| self.0.get(sphere)).copied().collect()
     }
@@ -194,6 +196,7 @@ impl RadiusPair {
 }
 
 impl SphereRadiusRule {
+    /// The rule as reports name it.
     fn changed_by(self) -> ChangedBy {
         match self {
             Self::Rule(RadiusRule::Isometric) | Self::Like(_) => ChangedBy::Equation("8"),
@@ -203,6 +206,7 @@ impl SphereRadiusRule {
         }
     }
 
+    /// Why the radius would change, for the advice how it can stay.
     fn change_reason(self) -> RadiusChangeReason {
         match self {
             Self::Rule(_) | Self::Like(_) => RadiusChangeReason::Rule,
@@ -216,6 +220,7 @@ impl SphereRadiusRule {
         matches!(self, Self::Rule(RadiusRule::Isometric | RadiusRule::Keep | RadiusRule::Factor(_)))
     }
 
+    /// Old and new radius of a sphere by this rule; `isometric` is the factor of isometric radii.
     fn radius_pair(self, old: f64, isometric: f64) -> RadiusPair {
         let times = |ratio: f64| RadiusPair { old, new: if ratio == 1.0 { old } else { old * ratio }, ratio };
         match self {

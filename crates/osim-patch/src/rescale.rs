@@ -173,6 +173,7 @@ pub fn rescale(model: &Model, selected: &Selected, wanted: &Rescale) -> Result<P
     Ok(plan_with_note_and_remarks(plan, wanted, selected, Some(&radii), change))
 }
 
+/// Plans the rescaling of one parameter set of a force.
 fn scale_set(
     plan: &mut PlanBuilder<'_>,
     force: ForceId,
@@ -205,6 +206,7 @@ fn contacts_gravity(model: &Model, wanted: &Rescale) -> Result<Option<f64>, Faul
     }
 }
 
+/// The plan of a rescaling, with its note and its remarks.
 fn plan_with_note_and_remarks(
     plan: PlanBuilder<'_>,
     wanted: &Rescale,

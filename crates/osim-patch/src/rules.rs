@@ -28,6 +28,7 @@ rule! { ALREADY_AT_TARGET: AlreadyAtTarget, Warning;
         bad: r#"{"verb": "rescale", "models": ["table1/human_62kg_smooth_sphere.osim"], "target_mass": 62}"# },
 }
 
+/// The remark that the contacts are made for the target mass already.
 pub(crate) fn already_at_target(contacts_mass: &Mass) -> Finding {
     let message = phrase![
         "contacts are taken as made for {} kg already ({}); if they were made for another mass, give {} or {}";
@@ -115,6 +116,7 @@ rule! { NOTHING_TO_CHANGE: NothingToChange, Remark;
         bad: r#"{"verb": "set", "models": ["table1/human_62kg_smooth_sphere.osim"], "set": {"stiffness": 1000000}}"# },
 }
 
+/// The remark that a part of the request changes nothing; `text` says which.
 pub(crate) fn nothing_to_change(text: impl Into<Phrase>) -> Finding {
     Finding::new(&NOTHING_TO_CHANGE, text)
 }
@@ -129,6 +131,7 @@ rule! { REFERENCE_WITHOUT_SMOOTHING: ReferenceWithoutSmoothing, Warning;
         bad: r#"{"verb": "transfer", "models": ["table1/human_62kg_smooth_sphere.osim"], "from": "table1/human_500kg_hunt_crossley.osim"}"# },
 }
 
+/// The warning that the reference `name` has no smoothing, so that the model's stays.
 pub(crate) fn reference_without_smoothing(name: &str) -> Finding {
     Finding::new(
         &REFERENCE_WITHOUT_SMOOTHING,

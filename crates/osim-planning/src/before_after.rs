@@ -102,6 +102,7 @@ impl BeforeAfter {
     }
 }
 
+/// Inspects and checks a model; `changes` says whether its stiffness and dissipation can be changed.
 fn inspected_and_checked(
     options: &InspectOptions,
     opened: &OpenModel,
@@ -165,6 +166,7 @@ impl BeforeAndAfterPlan<'_> {
         BodyFall::all(&old.into_iter().chain(new).collect::<Vec<ContactBody>>())
     }
 
+    /// The options with which the changed model is drawn.
     fn options_after(self) -> InspectOptions {
         let weighs = self.change.options.masses.model_mass(&self.opened.model).ok();
         self.change.options_after(self.plan, weighs.map(|mass| mass.kg))

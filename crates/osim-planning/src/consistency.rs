@@ -93,6 +93,7 @@ fn millimetres(length_m: f64) -> String {
     format!("{} mm", two_digits(1e3 * length_m.abs()))
 }
 
+/// Why contacts and plates disagree, in words.
 fn cause_in_words(cause: &Mismatch, feet: &[Foot]) -> Phrase {
     let name = |foot: usize| feet.get(foot).map_or("foot", |foot| foot.name.as_str());
     let text = match *cause {
@@ -197,6 +198,7 @@ fn figures_in_words(correction: &Correction) -> [String; 4] {
     ]
 }
 
+/// What the correction changes in inverse dynamics, in words.
 fn dynamics_in_words(dynamics: &InverseDynamics) -> String {
     // Less than a thousandth is nothing.
     let digits = |value: f64| two_digits((1e3 * value).round() / 1e3);

@@ -91,6 +91,7 @@ pub fn run_drop_test(request: &DropTestRequest, files: &dyn Files) -> Result<Dro
     Ok(DropResult { name, values, sphere_count, report, is_of_foot, compared, mismatches })
 }
 
+/// The options of the body that the request lets fall.
 fn options_for_subject(request: &DropTestRequest) -> BodyOptions {
     BodyOptions {
         mass_kg: request.masses.mass.map(Kilograms::get),
@@ -102,6 +103,7 @@ fn options_for_subject(request: &DropTestRequest) -> BodyOptions {
     }
 }
 
+/// The options of the body that it is compared with.
 fn options_for_compared(request: &DropTestRequest) -> BodyOptions {
     BodyOptions {
         mass_kg: None,
@@ -124,6 +126,7 @@ fn drop_of_subject(request: &DropTestRequest, files: &dyn Files) -> Result<Prepa
     drop_of_named(request, path, &options_for_subject(request), files)
 }
 
+/// Prepares the model or preset of this name.
 fn drop_of_named(
     request: &DropTestRequest,
     path: &Path,
@@ -138,6 +141,7 @@ fn drop_of_named(
     }
 }
 
+/// Prepares a model that was opened.
 fn drop_of_model(
     request: &DropTestRequest,
     open: &OpenModel,
@@ -173,6 +177,7 @@ fn drop_of_model(
     Ok(PreparedDrop { mismatch, ..prepared_drop })
 }
 
+/// Prepares a body on the contacts of a preset.
 fn drop_of_preset(
     request: &DropTestRequest,
     preset: &Preset,
@@ -191,6 +196,7 @@ fn drop_of_preset(
     prepare_drop(request, &*preset.name, spheres, &weight).map_err(domain_fault)
 }
 
+/// Prepares a body whose contact the request gives by its numbers.
 fn drop_of_numbers(request: &DropTestRequest) -> Result<PreparedDrop, RequestFault> {
     let numbers = &request.numbers;
     let needed = [
@@ -227,6 +233,7 @@ struct Weight {
     sphere_count: f64,
 }
 
+/// A body with its contacts and its weight, ready to fall.
 fn prepare_drop(
     request: &DropTestRequest,
     name: impl Into<FileName>,
@@ -364,6 +371,7 @@ fn first_contact(drop: &DropResult) -> Option<FirstContact> {
     drop.report.first_contact
 }
 
+/// The end of the first contact, if the body leaves the ground.
 fn lift_off(drop: &DropResult) -> Option<LiftOff> {
     first_contact(drop)?.end
 }

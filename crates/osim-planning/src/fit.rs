@@ -101,6 +101,7 @@ impl MeasuredCurve {
         Self::of_sheet(&Sheet::read(&bytes)?, columns)
     }
 
+    /// Reads the measured curve from the rows of a table.
     fn of_sheet(sheet: &Sheet, columns: &ColumnOptions) -> Result<Self, String> {
         let header = &sheet.header;
         let column = |name: &str, unit: f64| {
@@ -135,6 +136,7 @@ impl MeasuredCurve {
         Ok(Self { indentation_m, force_n, speed_m_s, time_s, lines })
     }
 
+    /// The line in the file of a row of the curve.
     fn line_of_row(&self, row: usize) -> u64 {
         self.lines.get(row).copied().unwrap_or_default()
     }

@@ -66,6 +66,7 @@ struct ReferenceFiles {
     body_scale_file: Option<PathBuf>,
 }
 
+/// Reads the generic model, and the ScaleSet beside it if there is one.
 fn generic_model(
     from: &Path,
     body_scale_file: Option<&Path>,

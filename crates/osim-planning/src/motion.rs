@@ -268,6 +268,7 @@ pub(crate) fn read_table(path: &Path, files: &dyn Files) -> Result<Table, Failur
     Table::read(&read(path, files)?).map_err(|fault| failure(path, &fault))
 }
 
+/// The failure for a fault in a motion file, with its line.
 fn failure(path: &Path, fault: &MotionFault) -> Failure {
     let place = fault.line.map(|line| format!("line {line}: ")).unwrap_or_default();
     let mut message = Phrase::from(format!("{place}{}", fault.message));
@@ -372,6 +373,7 @@ fn unusable_force_of_plates(measured: &MeasuredForces) -> Option<String> {
     })
 }
 
+/// Whether the square of a value is finite.
 fn is_computable(value: f64) -> bool {
     value.abs() <= LARGEST_VALUE
 }

@@ -60,6 +60,7 @@ impl MotionResult {
         remarks.0
     }
 
+    /// A sentence about the contacts of one foot.
     fn foot_sentence(&self, foot: &FootSummary) -> Phrase {
         let name = &foot.foot.name;
         let bw = |force_n: f64| two_digits(force_n / self.summary.weight_n);
@@ -104,6 +105,7 @@ impl MotionResult {
         self.states.pairs.get(deepest.pair).map(|pair| pair.radius_m)
     }
 
+    /// Adds remarks on how the recording was read, and on forces that OpenSim may leave out.
     fn add_recording_facts(&self, remarks: &mut RemarkList) {
         let facts = &self.recording.facts;
         let names = |names: &[String]| listed(names, NAMES_LISTED);
@@ -139,6 +141,7 @@ impl MotionResult {
         }
     }
 
+    /// Adds remarks on the force plates and on the feet that they measured.
     fn add_plate_facts(&self, remarks: &mut RemarkList) {
         let Some((read, measured)) = self.plates.as_ref().zip(self.measured.as_ref()) else { return };
         if let Some(other) = &read.other_data_file {

@@ -229,6 +229,7 @@ enum PresetEntryError {
 }
 
 impl PresetEntry {
+    /// The preset that a user's entry describes.
     fn into_preset(self) -> Result<Preset, PresetEntryError> {
         let smoothing =
             match (self.constant_contact_force, self.hertz_smoothing, self.hunt_crossley_smoothing) {

@@ -45,6 +45,7 @@ pub fn plot_feet(request: &PlotRequest, files: &dyn Files) -> Result<Vec<ModelFe
     Ok(feet)
 }
 
+/// The feet of a model, and the same feet with radii scaled to the target mass if there is one.
 fn feet_and_scaled_feet(
     request: &PlotRequest,
     path: &Path,
@@ -123,6 +124,7 @@ fn unique_name(request: &PlotRequest, path: &Path) -> String {
     }
 }
 
+/// The contacts to plot as `name`: those of the model at `path`, or a preset.
 fn plotted_body(
     request: &PlotRequest,
     path: &Path,
@@ -262,6 +264,7 @@ fn spheres_and_forces(model: &Model, selection: &Selection) -> Result<(Vec<Spher
     Ok((spheres, forces))
 }
 
+/// Marks the spheres that a finding says are in wrong places.
 fn mark_misplaced(feet: &mut [Foot], finding: Option<&Finding>) {
     let Some(finding) = finding else { return };
     let misplaced: HashSet<&String> = finding.spheres.iter().collect();
@@ -307,6 +310,7 @@ impl HeatTable {
         Self::of_sheet(name, &sheet, options).map_err(failed)
     }
 
+    /// Takes the columns of a figure from a table.
     fn of_sheet(name: String, sheet: &Sheet, options: &HeatOptions) -> Result<Self, String> {
         let grid: Vec<&str> =
             sheet.header.iter().map(String::as_str).filter(|name| name.starts_with(GRID_PREFIX)).collect();
@@ -330,6 +334,7 @@ impl HeatTable {
     }
 }
 
+/// The numbers of the column called `name`; empty cells have none.
 fn number_column(sheet: &Sheet, name: &str) -> Result<TableColumn, String> {
     let index = sheet.column(name)?;
     let value = |row: &crate::sheet::Row| match row.cells.get(index).map(String::as_str) {

@@ -74,6 +74,7 @@ impl RemedyTrials<'_> {
         found
     }
 
+    /// The remedies that work one after the other, at most [`MOST_STEPS`].
     fn steps(&self, model: &Model, found: &CheckResult) -> Vec<TriedStep> {
         let one_file = self.options.geometry.is_none() && self.options.model.is_none();
         // A standalone set is two files, which a step would have to name anew.
@@ -142,6 +143,7 @@ impl RemedyTrials<'_> {
     }
 }
 
+/// The path of the checked model.
 fn model_path(found: &CheckResult) -> PathBuf {
     FileName::from_parts(found.model.clone(), found.model_bytes.clone()).to_path()
 }
@@ -171,6 +173,7 @@ fn remedy_candidates(found: &CheckResult) -> Vec<RemedyCandidate> {
     all
 }
 
+/// Whether the check proposes commands for findings of this kind.
 fn may_have_command(finding: &FindingWithRemedy) -> bool {
     finding.severity >= Severity::Warning && matches!(finding.rule.repair, Repair::Command(_))
 }
@@ -179,6 +182,7 @@ fn warnings_and_errors(found: &CheckResult) -> impl Iterator<Item = &FindingWith
     found.findings.iter().filter(|one| one.severity >= Severity::Warning)
 }
 
+/// The codes of all errors and warnings.
 fn codes_of_warnings(found: &CheckResult) -> BTreeSet<FindingCode> {
     warnings_and_errors(found).map(|one| one.code()).collect()
 }
@@ -226,6 +230,7 @@ fn request_for_forces_of_both(one: &Request, other: &Request) -> Option<Request>
     Some(all)
 }
 
+/// The patterns by which a `set` or a `convert` chooses forces; `None` for other verbs.
 fn selected_forces(request: &mut Request) -> Option<&mut Vec<Pattern>> {
     match request {
         Request::Set(request) => Some(&mut request.choice.select),

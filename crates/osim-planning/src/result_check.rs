@@ -296,6 +296,7 @@ struct MovedBottoms {
 }
 
 impl MovedBottoms {
+    /// The findings about bottoms that `plan` moves, from the models before and after it.
     fn between(plan: &Plan, before: &Model, after: &Model) -> Self {
         let radii = plan.changes.iter().any(|change| change.property == Property::Radius);
         let follow = plan.moves.iter().any(|one| one.by == ChangedBy::Follow);
@@ -324,6 +325,7 @@ impl<'m> BodiesOverFloor<'m> {
         Some(Self { model, standing, sharing })
     }
 
+    /// The bottom of each sphere, by the sphere's component path.
     fn bottoms_by_path(&self) -> HashMap<&str, &Bottom> {
         let all = self.standing.iter().flat_map(|body| &body.bottoms);
         all.map(|bottom| (bottom.path.as_str(), bottom)).collect()
@@ -375,6 +377,7 @@ fn uneven_limb(limb: &str, bottoms: &[(&Bottom, &Bottom)]) -> Option<Finding> {
     is_uneven.then(|| rules::bottoms_moved_of_limb(limb, before_m, lowest, highest))
 }
 
+/// The largest minus the smallest of the values.
 fn spread(values: &[f64]) -> f64 {
     let most = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     let least = values.iter().copied().fold(f64::INFINITY, f64::min);

@@ -237,10 +237,12 @@ pub struct LimitCheck {
 }
 
 impl Figures {
+    /// No figures, for the reason `why`.
     pub(crate) fn absent(why: Phrase) -> Self {
         Self { why_no_body_weight: Some(why), ..Self::default() }
     }
 
+    /// The figures of all spheres, limb by limb.
     pub fn spheres(&self) -> impl Iterator<Item = &SphereFigures> {
         self.limbs.iter().flat_map(|limb| &limb.spheres)
     }

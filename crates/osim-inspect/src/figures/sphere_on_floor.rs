@@ -76,22 +76,27 @@ impl SphereOnFloor<'_> {
         self.rest_at(1.0)
     }
 
+    /// A figure of the equilibrium under one body weight, if it is known.
     pub(super) fn at_one_body_weight(&self, figure: impl Fn(&SphereRest) -> Option<f64>) -> ComputedFigure {
         self.rest_at(1.0).and_then(figure).into()
     }
 
+    /// A figure of the equilibrium under two body weights, if it is known.
     pub(super) fn at_two_body_weights(&self, figure: impl Fn(&SphereRest) -> Option<f64>) -> ComputedFigure {
         self.rest_at(2.0).and_then(figure).into()
     }
 
+    /// The share of the body mass on this sphere, kg.
     pub(super) fn mass_on_sphere(&self) -> Option<f64> {
         Some(self.weight?.mass_kg / self.one_body_weight?.sphere_count())
     }
 
+    /// E* of all contacts of the sphere together, N/m².
     pub(super) fn composite_modulus(&self) -> f64 {
         self.contacts.contacts.iter().map(Contact::composite_modulus).sum()
     }
 
+    /// The dissipation of the sphere, s/m; `None` if its contacts have different ones.
     pub(super) fn dissipation(&self) -> Option<f64> {
         let contacts = &self.contacts.contacts;
         let first = contacts.first().map(Contact::dissipation);
@@ -117,6 +122,7 @@ impl SphereOnFloor<'_> {
         figures.reduce(f64::max)
     }
 
+    /// The force at speed 0 of a smoothed sphere whose bottom just touches the floor, N.
     pub(super) fn force_just_touching(&self) -> Option<f64> {
         self.smoothing_values().next()?;
         Some(self.contacts.laws.iter().map(|law| law.law().rest_force(0.0)).sum())

@@ -45,6 +45,7 @@ pub fn check_without_remedies(
     sort_findings(collect_findings(options, model, inspected, &[], without_remedies))
 }
 
+/// All findings about a model, with their remedies.
 fn collect_findings(
     options: &InspectOptions,
     model: &Model,
@@ -276,6 +277,7 @@ fn suspicions_about_masses(masses: &MassRequest, model: &Model, choice: &ForceOp
     unexplained_mass(masses, model, &selection).into_iter().collect()
 }
 
+/// The doubts about masses that the program would have about this rescaling.
 fn suspicions_about_rescaling(
     request: &RescaleRequest,
     model: &Model,

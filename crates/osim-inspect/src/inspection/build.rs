@@ -196,6 +196,7 @@ fn inspected_forces(model: &Model, selected: &Selected, contacts: &ContactsOfSet
     inspected
 }
 
+/// A `part` of each property of a parameter set, such as its number.
 fn parameters_of_set<T>(force: &Force, set: SetId, part: impl Fn(&Value) -> T) -> Vec<(Property, T)> {
     let properties = Property::ALL.into_iter();
     properties.filter_map(|property| Some((property, part(force.value(set, property)?)))).collect()

@@ -113,6 +113,7 @@ fn changes_in_words(changed: &ChangedSinceNote) -> Vec<String> {
     contact_changes_in_words(&changed.contacts).into_iter().chain(sizes).chain(weight).collect()
 }
 
+/// What changed in the contacts since the note was written, each as a part of a sentence.
 fn contact_changes_in_words(changed: &ChangedContacts) -> Vec<String> {
     let count = |what: &str, count: Option<(usize, usize)>| {
         count.map(|(then, now)| format!("the contacts had {then} {what} then and have {now} now"))

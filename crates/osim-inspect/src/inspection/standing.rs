@@ -106,17 +106,20 @@ json_records! {
 }
 
 impl StandingSphere {
+    /// Whether the sphere is in the floor.
     pub fn touches(&self) -> bool {
         self.relative_indentation > 0.0
     }
 }
 
 impl BodyAtRest {
+    /// Whether all numbers of the equilibrium are finite.
     fn is_finite(&self) -> bool {
         let spheres = self.spheres.iter().flat_map(|one| [one.relative_indentation, one.force_n]);
         spheres.chain([self.down_m, self.load_n]).all(f64::is_finite)
     }
 
+    /// The spheres that are in the floor.
     pub fn touching(&self) -> impl Iterator<Item = &StandingSphere> {
         self.spheres.iter().filter(|one| one.touches())
     }
@@ -133,6 +136,7 @@ impl StandingBody {
         Self::with_rests(model, standing, limbs, stance_limbs, RestsToCompute::All)
     }
 
+    /// Summaries of all joint trees; `rests` says for which of them the equilibrium is computed.
     pub(super) fn with_rests(
         model: &Model,
         standing: &[Standing],
@@ -189,6 +193,7 @@ impl StandingBody {
         is_deeper && self.bottoms.iter().any(Bottom::is_inside)
     }
 
+    /// Whether the lowest sphere is clearly above the floor at the default pose.
     pub(crate) fn is_above_floor(&self) -> bool {
         self.lowest().is_some_and(Bottom::is_above)
     }
@@ -200,15 +205,18 @@ impl StandingBody {
 }
 
 impl Bottom {
+    /// Whether the sphere is inside the floor, by more than a part of its radius.
     fn is_inside(&self) -> bool {
         self.height_m < -INSIDE_FLOOR_RADII * self.radius_m
     }
 
+    /// Whether the sphere is clearly above the floor.
     fn is_above(&self) -> bool {
         self.height_m > GAP_ABOVE_FLOOR_M
     }
 }
 
+/// The lowest of the bottoms; of equally low bottoms, the first.
 fn lowest_bottom(bottoms: &[Bottom]) -> Option<&Bottom> {
     bottoms.iter().reduce(|a, b| if b.height_m < a.height_m - SAME_HEIGHT_M { b } else { a })
 }
@@ -218,6 +226,7 @@ fn may_be_off_floor(bottoms: &[Bottom]) -> bool {
     bottoms.iter().any(Bottom::is_inside) || lowest_bottom(bottoms).is_some_and(Bottom::is_above)
 }
 
+/// The bottoms of all spheres of a joint tree over its floor.
 fn bottoms_of_spheres(model: &Model, standing: &Standing) -> Vec<Bottom> {
     let bottom = |over: &SphereOverFloor| Some((over, model.sphere(over.sphere)?).into());
     standing.spheres.iter().filter_map(bottom).collect()
@@ -247,6 +256,7 @@ impl StandingBody {
         self.distance_in_words(four_significant, "too low", "too high")
     }
 
+    /// How far the lowest sphere is from the floor; `low` and `high` follow a distance inside the floor and above it.
     fn distance_in_words(&self, number: fn(f64) -> String, low: &str, high: &str) -> Option<String> {
         let height_m = self.lowest()?.height_m;
         if height_m.abs() < 1e-4 {

@@ -113,6 +113,7 @@ rule! { pub(super) MIXED_PAIR: MixedPair, Error;
         bad: "the geometry set of another run, with a note of its own" },
 }
 
+/// Finds a force set and a geometry set whose notes were not written together.
 pub(super) fn find_mixed_pair(model: &Model) -> Vec<Finding> {
     let doubt = model.doubt_about_note().filter(|doubt| *doubt == NoteDoubt::MixedPair);
     doubt.map(|doubt| Finding::new(&MIXED_PAIR, doubt.as_str())).into_iter().collect()
@@ -126,6 +127,7 @@ rule! { pub(super) CONTACT_DEFAULTS: ContactDefaults, Warning;
     example: Example::Models { good: "format/v40000.osim", bad: "format/defaults_smooth.osim" },
 }
 
+/// Finds contact objects in `<defaults>`, which OpenSim keeps for models that it loads later.
 pub(super) fn find_contact_defaults(model: &Model) -> Vec<Finding> {
     let mut found = Vec::new();
     let document = model.document();
@@ -184,6 +186,7 @@ rule! { pub(super) UNKNOWN_CLASS: UnknownClass, Error;
     example: Example::Models { good: "format/v40000.osim", bad: "format/components_unknown_class.osim" },
 }
 
+/// Finds contacts in components whose classes OpenSim does not know.
 pub(super) fn find_unknown_class(model: &Model) -> Vec<Finding> {
     let mut found = Vec::new();
     let components = model.components();
@@ -247,6 +250,7 @@ rule! { pub(super) DUPLICATE_NAMES: DuplicateNames, Warning;
     example: Example::Models { good: "format/v40000.osim", bad: "format/same_sphere_name_twice.osim" },
 }
 
+/// Finds a body or a contact whose name another object beside it has, too.
 fn find_duplicate_name(model: &Model, id: ComponentId, object: &Component) -> Option<Finding> {
     let components = model.components();
     let tag = components.tag(id);
@@ -272,6 +276,7 @@ rule! { pub(super) REFUSED_NAME: RefusedName, Error;
     example: Example::Models { good: "format/v40000.osim", bad: "bad/name_with_blank.osim" },
 }
 
+/// Finds a name that OpenSim refuses in paths.
 fn find_refused_name(model: &Model, id: ComponentId, object: &Component) -> Option<Finding> {
     object.parent?;
     let components = model.components();
@@ -294,6 +299,7 @@ rule! { pub(super) LOOP_OF_JOINTS: LoopOfJoints, Warning;
 /// The largest number of joints that a message about a loop names.
 const MOST_JOINTS_NAMED: usize = 6;
 
+/// Finds joints that close a loop, which OpenSim has to break.
 pub(super) fn find_loop_of_joints(model: &Model) -> Vec<Finding> {
     let (components, skeleton) = (model.components(), model.skeleton());
     let finding = |joint, text| Finding::at(&LOOP_OF_JOINTS, components.position_of(joint), text);

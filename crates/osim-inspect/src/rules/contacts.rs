@@ -52,6 +52,7 @@ pub fn describe_unmatched_patterns(
     forces.chain(bodies).collect()
 }
 
+/// Finds patterns of forces and bodies that fit no name.
 pub(crate) fn find_unmatched_patterns(
     selection: &Selection,
     masses: &MassRequest,
@@ -114,6 +115,7 @@ rule! { pub(crate) KNOWN_CONTACTS: KnownContacts, Remark;
     example: Example::Models { good: "check/within_limits.osim", bad: "check/known_contacts.osim" },
 }
 
+/// The remark that the contacts are published ones, and for which mass.
 pub(crate) fn known_contacts(known: KnownContacts) -> Finding {
     let text = format!(
         "the contact parameters are those of {} for a body of {} kg",
@@ -160,6 +162,7 @@ pub(crate) fn find_contacts_of_another_mass(
     Some(FindingWithRemedy::new(finding, remedy))
 }
 
+/// A remedy that rescales the contacts from one mass to another.
 fn scale_to_body(remedies: &Remedies<'_>, contacts_mass_kg: f64, target_mass_kg: f64) -> Option<Request> {
     let contacts_mass = Some(Kilograms::new(rounded_mass(contacts_mass_kg)).ok()?);
     Some(

@@ -18,6 +18,7 @@ rule! { pub(super) SUNK_IN: SunkIn, Error, Mass;
     example: Example::ElementText { tag: "stiffness", good: "4.4876e7", bad: "1e6" },
 }
 
+/// Finds spheres that sink in up to their centres under the body weight.
 pub(super) fn find_sunk_in_spheres(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> {
     sunk_in_level(check).or_else(|| sunk_in_at_own_heights(check))
 }
@@ -27,6 +28,7 @@ fn too_deep_at_own_height(sphere: &SphereFigures) -> Option<f64> {
     sphere.value(Figure::StandingIndentationModelLaw).filter(|&x| x >= UP_TO_CENTRE_RADII)
 }
 
+/// Finds spheres that sink in up to their centres even if all bottoms are level.
 fn sunk_in_level(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> {
     let affected = check
         .spheres_with(|sphere| sphere.value(Figure::Indentation).filter(|&x| x >= UP_TO_CENTRE_RADII))?;
@@ -160,6 +162,7 @@ impl ManyLimbs {
         }
     }
 
+    /// Advice for a body that always stands on at least this many limbs.
     fn advice_to_stand_on(&self, carrying: f64) -> Phrase {
         let check = Verb::Check.call_with_model().with_value(Input::StanceLimbs, readable(carrying));
         phrase![
@@ -190,6 +193,7 @@ rule! { pub(super) TOO_STIFF: TooStiff, Warning, Solver;
     example: Example::ElementText { tag: "stiffness", good: "4.4876e7", bad: "4.4876e13" },
 }
 
+/// Finds contacts that are so stiff that their spheres hardly sink in.
 pub(super) fn find_too_stiff_contacts(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> {
     // The smallest of them is the worst.
     let negative = |sphere: &SphereFigures| Some(-sphere.value(Figure::Indentation)?);
@@ -211,6 +215,7 @@ rule! { pub(super) BEYOND_HERTZ: BeyondHertz, Remark, Mass;
     example: Example::ElementText { tag: "stiffness", good: "4.4876e7", bad: "1e7" },
 }
 
+/// Finds spheres that sink in beyond the limit of the Hertz law under the body weight.
 pub(super) fn find_beyond_hertz(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> {
     let affected = check.spheres_with(|sphere| {
         value_beyond_limit(sphere, Figure::Indentation).filter(|&x| x < UP_TO_CENTRE_RADII)
@@ -246,6 +251,7 @@ rule! { pub(super) BEYOND_HERTZ_AT_TWO: BeyondHertzAtTwo, Remark, Mass;
     example: Example::ElementText { tag: "stiffness", good: "4.4876e7", bad: "2.5e7" },
 }
 
+/// Finds spheres that are beyond the limit of the Hertz law only under twice the body weight.
 pub(super) fn find_beyond_hertz_at_two(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> {
     let only_at_two = |sphere: &SphereFigures| {
         value_beyond_limit(sphere, Figure::IndentationAtTwo)

@@ -23,6 +23,7 @@ fn find_turned_floors(floors: &Floors, rule: &'static Rule, applies: impl Fn(f64
     floors.iter().filter_map(finding).collect()
 }
 
+/// The finding about a floor that leans by `degrees`, with the orientation that it should have.
 fn turned_finding(judged: &JudgedPlane, rule: &'static Rule, degrees: f64) -> Option<Finding> {
     let plane = &judged.plane;
     let (orientation, surface) = plane.orientations.first().zip(plane.surface)?;
@@ -46,6 +47,7 @@ rule! { pub(super) FLOOR_UPSIDE_DOWN: FloorUpsideDown, Error, Floor;
         bad: "0 0 1.5707963267948966" },
 }
 
+/// Finds floors whose surface faces down.
 pub(super) fn find_upside_down_floors(floors: &Floors) -> Vec<Finding> {
     find_turned_floors(floors, &FLOOR_UPSIDE_DOWN, |degrees| degrees > UPSIDE_DOWN_DEGREES)
 }
@@ -58,6 +60,7 @@ rule! { pub(super) FLOOR_UPRIGHT: FloorUpright, Error, Floor;
     example: Example::ElementText { tag: "orientation", good: "0 0 -1.5707963267948966", bad: "0 0 0" },
 }
 
+/// Finds floors that stand upright like walls.
 pub(super) fn find_upright_floors(floors: &Floors) -> Vec<Finding> {
     find_turned_floors(floors, &FLOOR_UPRIGHT, |degrees| degrees <= UPSIDE_DOWN_DEGREES)
 }
@@ -70,10 +73,12 @@ rule! { pub(super) FLOOR_ON_LIMB: FloorOnLimb, Error, Floor;
     example: Example::Models { good: "check/known_contacts.osim", bad: "check/floor_on_limb.osim" },
 }
 
+/// Finds floors that are on a body of the limb which presses on them.
 pub(super) fn find_floors_on_limbs(floors: &Floors) -> Vec<Finding> {
     floors.iter().filter_map(on_limb_finding).collect()
 }
 
+/// The finding about a floor on a limb; `None` for other planes.
 fn on_limb_finding(judged: &JudgedPlane) -> Option<Finding> {
     let (PlaneJudgement::OnLimb, plane) = (judged.kind, &judged.plane) else { return None };
     let (body, frame) = (plane.body.as_deref()?, &plane.frame);
@@ -96,10 +101,12 @@ rule! { pub(super) FLOOR_SLOPES: FloorSlopes, Remark, Floor;
     example: Example::ElementText { tag: "orientation", good: "0 0 -1.5707963267948966", bad: "0 0 -1.4" },
 }
 
+/// Finds floors that slope.
 pub(super) fn find_sloping_floors(floors: &Floors) -> Vec<Finding> {
     floors.iter().filter_map(slope_finding).collect()
 }
 
+/// The remark on a floor that slopes; `None` for other planes.
 fn slope_finding(judged: &JudgedPlane) -> Option<Finding> {
     let (PlaneJudgement::Slope(degrees), plane) = (judged.kind, &judged.plane) else { return None };
     let text = format!(
@@ -186,6 +193,7 @@ const UNIT_FACTORS: [f64; 2] = [1000.0, 100.0];
 /// Earth's gravity.
 const GRAVITY_LIKE_ON_EARTH: std::ops::RangeInclusive<f64> = 5.0..=20.0;
 
+/// Finds a gravity that is probably in another unit.
 pub(crate) fn find_too_large_gravity(model: &Model) -> Option<Finding> {
     let (gravity, size) = (model.gravity_m_s2?, model.gravity().filter(|&size| size > LARGEST_GRAVITY)?);
     let mut text = format!(
@@ -243,6 +251,7 @@ pub(crate) fn find_gravity_not_into_floor(model: &Model, floors: &Floors) -> Opt
     floors.iter().find_map(|judged| not_down_finding(model, judged))
 }
 
+/// The finding that gravity does not point into this floor; `None` if it does.
 fn not_down_finding(model: &Model, judged: &JudgedPlane) -> Option<Finding> {
     let PlaneJudgement::GravityMisaligned(degrees) = judged.kind else { return None };
     let (surface, size) = judged.plane.surface.zip(model.gravity())?;

@@ -41,6 +41,7 @@ rule! { pub(super) SEVERAL_SPHERES_ONE_FORCE: SeveralSpheres, Remark, Solver;
     example: Example::Models { good: "table1/human_62kg_hunt_crossley.osim", bad: "format/v40000.osim" },
 }
 
+/// Finds each HuntCrossleyForce with several spheres. Spheres after the first can lose their force in a step.
 pub(super) fn find_several_spheres_one_force(model: &Model) -> Vec<Finding> {
     let mut found = Vec::new();
     for force in model.forces() {
@@ -64,6 +65,7 @@ rule! { pub(super) SPHERE_IN_TWO_FORCES: SphereInTwoForces, Warning, Mass;
         bad: "<socket_sphere>/contactgeometryset/heel_r</socket_sphere>" },
 }
 
+/// Finds spheres that several forces press on a floor.
 pub(super) fn find_sphere_in_two_forces(model: &Model) -> Vec<Finding> {
     let shared = model.spheres_in_several_forces().into_iter();
     let finding = |(sphere, forces): (&Sphere, Vec<&Force>)| {
@@ -101,6 +103,7 @@ rule! { pub(super) SURFACE_NAMED_TWICE: SurfaceNamedTwice, Warning, Mass;
         bad: "<geometry>floor heel_l floor toe_l</geometry>" },
 }
 
+/// The message about a force that names a sphere or plane several times; `None` if it does not.
 fn describe_named_twice(model: &Model, force: &Force) -> Option<String> {
     let mut spheres = HashSet::new();
     let mut all = force.sets.iter().flat_map(|set| &set.spheres);
@@ -126,6 +129,7 @@ rule! { pub(super) NO_SURFACES_MEET: NoSurfacesMeet, Warning, Mass;
         bad: "<geometry>heel_l toe_l</geometry>" },
 }
 
+/// The message about a force whose surfaces cannot meet; `None` if they can.
 fn describe_apart(model: &Model, force: &Force) -> Option<String> {
     let has_others = force.sets.iter().any(|set| !set.other_surfaces.is_empty());
     if force.kind != ForceKind::HuntCrossley || has_others || !force.applies {
@@ -156,6 +160,7 @@ rule! { pub(super) SPHERE_OF_OTHER_SIDE: SphereOfOtherSide, Warning, Sides;
         bad: "<geometry>floor heel_l toe_r</geometry>" },
 }
 
+/// The message about a force of one side that presses spheres of both sides; `None` if it does not.
 fn describe_other_side(model: &Model, force: &Force) -> Option<String> {
     let side = Side::of_name(&force.name)?;
     let spheres = force.spheres().into_iter().filter_map(|id| model.sphere(id));
@@ -179,6 +184,7 @@ rule! { pub(super) SHAPE_PRESSES_NOTHING: ShapePressesNothing, Warning, Mass;
     example: Example::Models { good: "shapes/ellipsoid.osim", bad: "shapes/torus_and_cylinder.osim" },
 }
 
+/// The message about a surface of another class, which presses nothing; `None` if there is none.
 fn describe_shape(model: &Model, force: &Force) -> Option<String> {
     let components = model.components();
     let &shape = force.sets.iter().flat_map(|set| &set.other_surfaces).next()?;
@@ -198,6 +204,7 @@ rule! { pub(super) ELLIPSOID: Ellipsoid, Remark;
     example: Example::Models { good: "format/v40000.osim", bad: "shapes/ellipsoid.osim" },
 }
 
+/// Finds ellipsoids that are pressed on a floor.
 pub(super) fn find_ellipsoid(model: &Model) -> Vec<Finding> {
     let loaded = model.loaded_spheres(&model.force_ids()).into_iter().filter_map(|id| model.sphere(id));
     let ellipsoids: Vec<&Sphere> = loaded.filter(|sphere| sphere.radii_m.is_some()).collect();
@@ -218,6 +225,7 @@ rule! { pub(super) MOCO_DIALECT: MocoDialect, Warning;
     example: Example::Models { good: "format/v40000.osim", bad: "format/moco_sphere_in_force.osim" },
 }
 
+/// Finds forces that keep their sphere inside, as in Moco 0.1 to 0.3.
 pub(super) fn find_moco_dialect(model: &Model) -> Vec<Finding> {
     let inside_forces = model.spheres().iter().filter(|sphere| sphere.is_inside_force());
     let finding = |sphere: &Sphere| {
@@ -260,6 +268,7 @@ rule! { pub(super) DEAD_DERIVATIVE_SMOOTHING: DeadDerivativeSmoothing, Warning, 
         bad: "<derivative_smoothing>9e-07</derivative_smoothing>" },
 }
 
+/// Finds an element `derivative_smoothing` that OpenSim no longer reads.
 pub(super) fn find_dead_derivative_smoothing(model: &Model) -> Vec<Finding> {
     let mut found = Vec::new();
     // Early Moco, whose forces keep their spheres inside, reads the element.
@@ -287,6 +296,7 @@ pub(super) fn find_terrain(model: &Model) -> Vec<Finding> {
     terrain_spheres(model).into_iter().chain(terrain_bodies(model)).collect()
 }
 
+/// The finding about heavy bodies of terrain, which do not count for the model's mass.
 fn terrain_bodies(model: &Model) -> Option<Finding> {
     let heavy: Vec<(&Body, f64)> = model
         .bodies()
@@ -312,6 +322,7 @@ fn terrain_bodies(model: &Model) -> Option<Finding> {
     Some(Finding::new(&TERRAIN, text).with_place(&first.path))
 }
 
+/// The finding about spheres of terrain, which do not move.
 fn terrain_spheres(model: &Model) -> Option<Finding> {
     let mut used: Vec<_> = model.forces().iter().flat_map(Force::spheres).collect();
     used.sort_unstable();

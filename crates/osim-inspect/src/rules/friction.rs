@@ -29,6 +29,7 @@ pub(super) fn find_odd_friction(model: &Model) -> Vec<Finding> {
         .collect()
 }
 
+/// Finds coefficients of friction that are larger than any material has.
 fn find_large_friction(model: &Model) -> Option<Finding> {
     let above = |largest_viscous: f64| {
         let limits = [
@@ -57,6 +58,7 @@ rule! { pub(super) DYNAMIC_ABOVE_STATIC: DynamicAboveStatic, Warning, Sizes;
     example: Example::ElementText { tag: "static_friction", good: "0.81", bad: "0.18" },
 }
 
+/// Finds forces whose dynamic friction is larger than their static friction.
 fn find_dynamic_above_static(model: &Model) -> Option<Finding> {
     finding_about_forces(model, &DYNAMIC_ABOVE_STATIC, |force, set| {
         let [sliding, resting] = [Property::DynamicFriction, Property::StaticFriction]
@@ -82,6 +84,7 @@ rule! { pub(super) ODD_TRANSITION_VELOCITY: OddTransitionVelocity, Warning, Solv
     example: Example::ElementText { tag: "transition_velocity", good: "0.17", bad: "170" },
 }
 
+/// Finds transition velocities that are far too large or too small.
 fn find_odd_transition_velocity(model: &Model) -> Option<Finding> {
     let where_odd = |is_odd: fn(f64) -> bool, what: &str| {
         finding_about_forces(model, &ODD_TRANSITION_VELOCITY, |force, set| {

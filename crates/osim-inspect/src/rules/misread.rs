@@ -327,6 +327,7 @@ fn are_old_numbers(text: &str, count: Option<usize>) -> bool {
     count.is_none_or(|count| words.len() == count) && !words.is_empty() && words.iter().all(is_finite)
 }
 
+/// The words of a list of numbers that may be in brackets and have commas.
 fn words_of_old_numbers(text: &str) -> Vec<&str> {
     let brackets = [('(', ')'), ('[', ']')];
     let inside = brackets.iter().find_map(|&(open, close)| text.strip_prefix(open)?.strip_suffix(close));

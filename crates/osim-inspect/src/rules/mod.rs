@@ -141,6 +141,7 @@ pub fn rules() -> impl Iterator<Item = &'static Rule> {
     of_tables.chain(rules_in(FIGURE_RULES)).chain(rules_in(OTHER_RULES))
 }
 
+/// All rules of a table.
 fn rules_in<F>(table: RuleTable<F>) -> impl Iterator<Item = &'static Rule> {
     table.iter().flat_map(|(rules, _)| rules.iter().copied())
 }
@@ -175,6 +176,7 @@ pub fn model_findings(model: &Model) -> &[Finding] {
     })
 }
 
+/// Applies the rules that compare left and right.
 fn apply_side_rules(model: &Model) -> Vec<Finding> {
     let sides = BothSides::of(model);
     let mut findings = sides::find_side_differences(&sides);

@@ -92,6 +92,7 @@ rule! { pub(super) DEFAULT_STIFFNESS: DefaultStiffness, Error, Mass;
         bad: "<!-- no stiffness -->" },
 }
 
+/// Finds contacts without a stiffness in the file, for which OpenSim takes its default.
 pub(super) fn find_default_stiffness(model: &Model) -> Vec<Finding> {
     let mut found = Vec::new();
     for force in model.forces() {
@@ -123,6 +124,7 @@ rule! { pub(super) ZERO_CONSTANT_CONTACT_FORCE: ZeroConstantContactForce, Error,
     example: Example::ElementText { tag: "constant_contact_force", good: "9e-07", bad: "0" },
 }
 
+/// Finds smoothed forces whose `constant_contact_force` is 0.
 pub(super) fn find_zero_constant_contact_force(model: &Model) -> Vec<Finding> {
     let mut found = Vec::new();
     for force in model.forces() {
@@ -138,6 +140,7 @@ pub(super) fn find_zero_constant_contact_force(model: &Model) -> Vec<Finding> {
     found
 }
 
+/// A remedy that gives the smoothed law the suggested √cf/R.
 pub(super) fn set_suggested_constant_indentation(remedies: &Remedies<'_>) -> Option<Request> {
     remedies.design_constant_indentation(SUGGESTED_CONSTANT_INDENTATION)
 }
@@ -161,6 +164,7 @@ pub(super) fn find_angle_in_degrees(model: &Model) -> Vec<Finding> {
     found
 }
 
+/// The finding that an orientation is in degrees; `None` if it is not.
 fn find_degrees_in_orientation(orientation: &Orientation) -> Option<Finding> {
     let angles = orientation.angles_rad.filter(|_| orientation.is_in_degrees())?;
     let listed = |angles: [f64; 3]| angles.map(readable).join(" ");

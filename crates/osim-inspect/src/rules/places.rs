@@ -279,6 +279,7 @@ fn misplaced_spheres(placement: &SpherePlacements, stayed: bool) -> Option<Findi
     Some(finding.with_spheres(all.into_iter().map(|sphere| sphere.name.clone()).collect()))
 }
 
+/// A place in millimetres, as text.
 fn millimetres(place: [f64; 3]) -> String {
     let axes = place.map(|metres| {
         let text = format!("{:.2}", metres * 1e3);

@@ -242,6 +242,7 @@ fn distance_too_far(pair: &SpherePair<'_>, limit: f64) -> Option<f64> {
     (apart > limit).then_some(apart)
 }
 
+/// The places of a left and a right sphere in words, and how they differ.
 fn describe_places(pair: &SpherePair<'_>) -> String {
     let (left, right) = (&pair.left, &pair.right);
     let names = [left, right].map(|placed| (shown(&placed.sphere.name), shown(placed.body)));

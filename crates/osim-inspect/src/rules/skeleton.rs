@@ -62,10 +62,12 @@ struct LimbsFromFeet<'m> {
 }
 
 impl<'m> LimbsFromFeet<'m> {
+    /// The body on the other side with the same name.
     fn counterpart(&self, body: &str) -> Option<&'m str> {
         self.by_name.get(&(without_side(body), Side::of_name(body)?.other())).copied()
     }
 
+    /// The body that carries `body` by a joint; `None` for ground.
     fn parent(&self, body: &str) -> Option<&'m str> {
         self.above.get(body)?.parent.as_deref()
     }
@@ -97,6 +99,7 @@ impl<'m> LimbsFromFeet<'m> {
         self.finding(&ODD_PARENT, body, text)
     }
 
+    /// Whether `body` hangs on the other side, or on ground apart from its counterpart; `None` without a counterpart or a joint.
     fn is_odd(&self, body: &str) -> Option<bool> {
         let counterpart = self.counterpart(body)?;
         let (joint, _) = (self.above.get(body)?, self.parent(counterpart)?);

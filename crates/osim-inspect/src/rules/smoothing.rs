@@ -21,6 +21,7 @@ rule! { pub(super) FLOATS: Floats, Error, Mass;
     example: Example::ElementText { tag: "constant_contact_force", good: "9e-07", bad: "0.0001" },
 }
 
+/// Finds a body that smoothed forces carry above the floor.
 pub(super) fn find_floating_body(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> {
     let above =
         |sphere: &SphereFigures| sphere.value(Figure::IndentationModelLaw).filter(|&x| x <= 0.0).map(|x| -x);
@@ -59,6 +60,7 @@ rule! { pub(super) FORCE_BEFORE_CONTACT: ForceBeforeContact, Warning, Solver;
     example: Example::ElementText { tag: "constant_contact_force", good: "9e-07", bad: "4e-06" },
 }
 
+/// Finds spheres that carry too much of the load while they just touch the floor.
 pub(super) fn find_force_before_contact(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> {
     let affected = check.spheres_with(|sphere| value_beyond_limit(sphere, Figure::TouchingShare))?;
     let force = affected.worst.value(Figure::ForceJustTouching).map(four_significant).unwrap_or_default();
@@ -78,6 +80,7 @@ rule! { pub(super) LARGE_CONSTANT_INDENTATION: LargeConstantIndentation, Warning
     example: Example::ElementText { tag: "constant_contact_force", good: "9e-07", bad: "1.5e-05" },
 }
 
+/// Finds spheres whose √cf/R is above the limit.
 pub(super) fn find_large_constant_indentation(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> {
     let affected = check.spheres_with(|sphere| value_beyond_limit(sphere, Figure::ConstantIndentation))?;
     let x = four_significant(affected.largest);
@@ -97,6 +100,7 @@ rule! { pub(super) WIDE_TRANSITION: WideTransition, Warning, Solver;
     example: Example::ElementText { tag: "hertz_smoothing", good: "310", bad: "100" },
 }
 
+/// Finds spheres whose contact begins over too wide a range.
 pub(super) fn find_wide_transition(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> {
     let affected = check.spheres_with(|sphere| value_beyond_limit(sphere, Figure::TransitionWidth))?;
     let (width, limit) = (four_significant(affected.largest), TRANSITION_WIDTH.value);
@@ -107,6 +111,7 @@ pub(super) fn find_wide_transition(check: &FigureCheck<'_>) -> Option<FindingWit
     ))
 }
 
+/// A remedy that gives the contact the suggested transition width.
 fn narrow_transition(remedies: &Remedies<'_>) -> Option<Request> {
     let state_width = Some(Positive::new(SUGGESTED_TRANSITION_WIDTH).ok()?);
     remedies.design(WantedOptions { state_width, ..WantedOptions::default() }).map(Request::from)
@@ -120,6 +125,7 @@ rule! { pub(super) BEYOND_HUNT_CROSSLEY: BeyondHuntCrossley, Remark, Solver;
     example: Example::ElementText { tag: "dissipation", good: "0.4", bad: "2" },
 }
 
+/// Finds spheres whose restitution is below the limit of the Hunt–Crossley law.
 pub(super) fn find_beyond_hunt_crossley(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> {
     let speed = check.inspected.figures.impact_speed_m_s?;
     // The largest dissipation has the least restitution.

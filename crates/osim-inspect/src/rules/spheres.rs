@@ -134,6 +134,7 @@ impl<'m> BodyExtent<'m> {
 }
 
 impl FarSphere<'_> {
+    /// The distance from the joint as a part of the limb's longest bone.
     fn part_of_bone(&self) -> f64 {
         self.from_joint_m / self.bone_m
     }
@@ -143,11 +144,13 @@ impl FarSphere<'_> {
         self.part_of_bone() / self.limit
     }
 
+    /// Whether the distance exceeds the largest allowed one.
     fn is_too_far(&self) -> bool {
         self.times_limit().is_finite() && self.times_limit() > 1.0
     }
 }
 
+/// The message about the farthest of `count` spheres that are too far from their bodies.
 fn describe_far(worst: &FarSphere<'_>, count: usize) -> String {
     let more = other_cases_in_words(count, "another sphere, too", "other spheres, too");
     format!(
@@ -228,6 +231,7 @@ impl OddRadius<'_> {
     }
 }
 
+/// The sphere, if its radius is too large or too small for the limb.
 fn find_odd_radius_of_sphere(sphere: &Sphere, bone_m: f64, extent_m: Option<f64>) -> Option<OddRadius<'_>> {
     let radius_m = sphere.radius_m().ok()?;
     let part_of_bone = radius_m / bone_m;
@@ -274,6 +278,7 @@ impl<'m> FootExtents<'m> {
     }
 }
 
+/// The message about the oddest of `count` radii.
 fn describe_odd_radius(worst: &OddRadius<'_>, count: usize, model: &Model) -> String {
     let radius_m = worst.sphere.radius.number;
     let more = other_cases_in_words(count, "another radius, too", "other radii, too");
@@ -379,6 +384,7 @@ struct Crowd<'m> {
 }
 
 impl Crowd<'_> {
+    /// The extent of the spheres as a part of the limb's longest bone.
     fn part_of_bone(&self) -> f64 {
         self.extent_m / self.bone_m
     }
@@ -405,6 +411,7 @@ fn extent_m(spheres: &[(&Sphere, DVec3)]) -> f64 {
     places().fold(DVec3::INFINITY, DVec3::min).distance(places().fold(DVec3::NEG_INFINITY, DVec3::max))
 }
 
+/// The message about the most crowded of `count` bodies.
 fn describe_crowd(worst: &Crowd<'_>, count: usize) -> Option<String> {
     let more = match count {
         1 => String::new(),

@@ -25,6 +25,7 @@ pub(super) fn find_not_on_floor(check: &FigureCheck<'_>) -> Vec<FindingWithRemed
     findings.map(FindingWithRemedy::from).collect()
 }
 
+/// The finding about a body that does not start on its floor.
 fn not_on_floor_finding(body: &StandingBody, is_one_of_several: bool) -> Option<Finding> {
     let which = if is_one_of_several { format!(" of {}", shown(&body.body)) } else { String::new() };
     let (height, way) = (body.pose_in_words()?, body.describe_way_to_stand());
@@ -65,6 +66,7 @@ struct UnevenLimb<'i> {
 }
 
 impl<'i> UnevenLimb<'i> {
+    /// The limb whose bottoms differ most in height.
     fn worst(check: &FigureCheck<'i>) -> Option<Self> {
         let bottoms = check.inspected.standing.iter().flat_map(|body| &body.bottoms);
         let bottoms: HashMap<&str, &Bottom> = bottoms.map(|bottom| (bottom.path.as_str(), bottom)).collect();

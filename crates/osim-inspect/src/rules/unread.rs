@@ -55,6 +55,7 @@ rule! { pub(super) VERSION_AGAINST_FORM: OtherVersion, Error;
 /// The first version whose joints are in a JointSet.
 const FIRST_VERSION_WITH_JOINT_SET: u32 = 30505;
 
+/// Finds a document whose form is that of another version than it says.
 fn find_version_against_form(model: &Model) -> Vec<Finding> {
     let document = model.document();
     if !document.is_model() {
@@ -150,6 +151,7 @@ fn count_neighbours<T: PartialEq>(items: impl IntoIterator<Item = (T, T)>) -> Ve
     counted
 }
 
+/// Finds contacts in one file at places that OpenSim does not read.
 fn find_ignored_contacts_in_file(model: &Model, file: FileId) -> Vec<Finding> {
     let (document, components) = (model.file(file), model.components());
     let tree = document.tree();
@@ -215,6 +217,7 @@ fn find_unknown_names(model: &Model) -> Vec<Finding> {
     find_unknown_classes(model).into_iter().chain(files_of_model(model).flat_map(in_file)).collect()
 }
 
+/// Finds classes whose names are nearly those of OpenSim.
 fn find_unknown_classes(model: &Model) -> Vec<Finding> {
     let components = model.components();
     let members = components.tree.iter().map(|(_, component)| (component.file, component.element));
@@ -255,6 +258,7 @@ fn path_of_component(model: &Model, file: FileId, element: ElementId) -> String 
     component.map(|id| components.tree.path(id)).unwrap_or_default()
 }
 
+/// Finds names of properties in one file that are nearly those of OpenSim.
 fn find_unknown_names_in_file(model: &Model, file: FileId) -> Vec<Finding> {
     let document = model.file(file);
     let tree = document.tree();

@@ -233,10 +233,12 @@ fn sphere_kinds(model: &Model, forces: &[ForceId]) -> Result<Vec<SphereKind>, Fa
     Ok(named.collect())
 }
 
+/// The fault that all chosen forces are switched off.
 fn fault_of_no_force() -> Fault {
     Fault::refused("all chosen forces are switched off: there is no contact to work with")
 }
 
+/// The weight of a body on the spheres that share it.
 fn weight(
     model: &Model,
     forces: &[ForceId],
@@ -288,6 +290,7 @@ pub(super) fn list_spheres(names: &[String]) -> String {
     first_to_last_name(&names)
 }
 
+/// The names in words; of many names, the first and the last.
 fn first_to_last_name(names: &[&str]) -> String {
     match names {
         [first, .., last] if names.len() > MOST_NAMES_LISTED => {
@@ -324,6 +327,7 @@ pub struct ReferenceState {
 }
 
 impl ReferenceState {
+    /// Takes the reference from a preset, under the weight that its contacts are made for.
     pub fn from_preset(preset: &Preset, mass_kg: f64, spheres: f64, gravity_m_s2: Option<f64>) -> Self {
         let masses = MassRequest { model_kg: Some(mass_kg), ..MassRequest::default() };
         let stance = Stance { spheres: Some(spheres), gravity_m_s2, ..Stance::default() };

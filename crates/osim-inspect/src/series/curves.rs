@@ -79,6 +79,7 @@ pub fn curve_name(body: &ContactBody, kind: &SphereKind, is_only_body: bool) -> 
     }
 }
 
+/// Every kind of sphere of every body.
 pub fn bodies_and_kinds(bodies: &[ContactBody]) -> impl Iterator<Item = (&ContactBody, &SphereKind)> {
     bodies.iter().flat_map(|body| body.kinds.iter().map(move |kind| (body, kind)))
 }
@@ -208,6 +209,7 @@ pub fn default_duration(bodies: &[ContactBody]) -> Result<f64, Failure> {
     Ok(longest)
 }
 
+/// √(R/g) of a body, the unit of time of its fall, s.
 fn time_unit(body: &ContactBody) -> Result<f64, Failure> {
     let weight = body.weight()?;
     let from_ground = drop_test(body, 0.0, 1.0, 2)?;
@@ -241,6 +243,7 @@ fn sample_count(report: &DropReport, weight: &CarriedWeight, duration_s: f64) ->
     wanted as usize
 }
 
+/// Computes the fall of a body from a height.
 pub fn run_drop_test(
     body: &ContactBody,
     height: DropHeight,
@@ -255,6 +258,7 @@ pub fn run_drop_test(
     test.run().map_err(|error| body.failure(&error))
 }
 
+/// The fall of a body from a height (m), not computed yet.
 fn drop_test(
     body: &ContactBody,
     height_m: f64,
@@ -272,6 +276,7 @@ fn drop_test(
     DropTest::new(weight.spheres.iter().copied(), values).map_err(|error| body.failure(&error))
 }
 
+/// The contact law of one kind of sphere.
 fn law_of_kind(body: &ContactBody, kind: &SphereKind) -> Result<Law, Failure> {
     Law::of(&kind.contact, kind.radius_m).map_err(|error| body.failure(&error))
 }

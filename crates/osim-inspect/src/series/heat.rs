@@ -166,6 +166,7 @@ impl<'s> HeatSweep<'s> {
         Ok(Self { kind, quantity: request.quantity, sphere_count, values, impact_speed_m_s })
     }
 
+    /// The spheres of the body with another stiffness and dissipation.
     fn spheres_with(&self, stiffness: f64, dissipation: f64) -> Result<Spheres, DomainError> {
         let values = ContactValues {
             plane_strain_modulus: stiffness,
@@ -207,6 +208,7 @@ impl<'s> HeatSweep<'s> {
         }
     }
 
+    /// The limit of the quantity that the heat map shows, if it has one.
     fn limit_of_quantity(&self) -> Option<f64> {
         let speed = self.impact_speed_m_s;
         match self.quantity {

@@ -88,6 +88,7 @@ fn add_refined_interval(
     add_refined_interval(curve, (middle, to), size, halvings_left - 1, points);
 }
 
+/// The difference between the largest and the smallest value; 1 if it is 0.
 fn extent_of_values(values: impl Iterator<Item = f64>) -> f64 {
     let (low, high) = values
         .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)));

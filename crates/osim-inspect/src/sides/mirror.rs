@@ -138,6 +138,7 @@ impl BodyPair<'_> {
     }
 }
 
+/// The distance of a place from the nearer of two mirror images, m.
 fn nearest_distance(images: [DVec3; 2], place: DVec3) -> Option<f64> {
     images.into_iter().map(|image| image.distance(place)).reduce(f64::min)
 }
@@ -160,6 +161,7 @@ struct LeftAndRightBody {
 }
 
 impl LeftAndRightBody {
+    /// The names of the right and the left body, if the model has both.
     fn left_and_right(&self) -> Option<(&str, &str)> {
         Some((self.right.as_deref()?, self.left.as_deref()?))
     }
@@ -189,6 +191,7 @@ impl BodyPairs {
         Self { common_mirror: common_mirror(&by_name), by_name }
     }
 
+    /// Whether a body of this side exists.
     pub(crate) fn has_side(&self, side: Side) -> bool {
         let mut all = self.by_name.values();
         all.any(|names| if side == Side::Right { &names.right } else { &names.left }.is_some())
@@ -321,6 +324,7 @@ impl PlaceGrid {
         grid
     }
 
+    /// The cube in which a place is.
     fn cube(&self, place: DVec3) -> [i64; 3] {
         place.to_array().map(|value| (value / self.cube_m).floor() as i64)
     }

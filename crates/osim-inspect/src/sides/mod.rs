@@ -67,6 +67,7 @@ impl<'m> BothSides<'m> {
         }
     }
 
+    /// The force with this component path, if its spheres are on a side.
     pub fn force(&self, path: &str) -> Option<&'m Force> {
         self.forces_by_path.get(path).copied()
     }
@@ -122,6 +123,7 @@ impl<'m> BothSides<'m> {
         by_forces.into_values().filter(|(_, _, differences)| !differences.is_empty()).collect()
     }
 
+    /// The differences between the radii and parameters of two sets that are counterparts.
     fn differences_of(&self, pair: &SetPair<'_>) -> Vec<SideDifference> {
         let spheres = pair.spheres.iter().filter_map(|&index| self.pairs.get(index));
         let radii = spheres.filter_map(|spheres| radius_difference(spheres, &self.bones, &self.usual));
@@ -216,6 +218,7 @@ impl NumberCounts {
         counts
     }
 
+    /// Counts one number of a contact.
     fn count_value(&mut self, value: &Value) {
         *self.by_number.entry((value.property, value.number.to_bits())).or_default() += 1;
         *self.by_property.entry(value.property).or_default() += 1;

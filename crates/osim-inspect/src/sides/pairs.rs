@@ -124,6 +124,7 @@ impl<'m> UnpairedOfBodies<'m> {
         self.take_within(4.0 * farthest_m)
     }
 
+    /// Pairs spheres whose places are mirror images within this distance, m, and takes them out.
     fn take_within(&mut self, within_m: f64) -> Vec<(SideSphere<'m>, SideSphere<'m>)> {
         let images: Option<Vec<_>> =
             self.right.iter().map(|placed| self.pair.mirror_images(placed.place_m)).collect();
@@ -133,6 +134,7 @@ impl<'m> UnpairedOfBodies<'m> {
         take_matched(&mut self.right, &mut self.left, &pairs)
     }
 
+    /// The spheres that were not paired, with the body of the other side.
     fn into_unpaired(self) -> impl Iterator<Item = UnpairedSphere<'m>> {
         let lacking_on =
             |other_body: &'m str| move |sphere| UnpairedSphere { sphere, other_body: Some(other_body) };

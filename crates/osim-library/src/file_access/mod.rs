@@ -124,6 +124,7 @@ pub(crate) fn read(path: &Path, kinds: FileKinds) -> Result<(Vec<u8>, Metadata),
     Ok((read_to_limit(file, most)?, metadata))
 }
 
+/// Reads a whole ordinary file.
 pub(crate) fn read_ordinary(path: &Path) -> Result<Vec<u8>, ReadRefusal> {
     read(path, FileKinds::Ordinary).map(|(bytes, _)| bytes)
 }
@@ -199,6 +200,7 @@ pub(crate) fn create_new(path: &Path, options: &mut OpenOptions) -> std::io::Res
     options.read(true).write(true).create_new(true).open(path)
 }
 
+/// Opens a file of one of these kinds to read it.
 fn open_for_reading(path: &Path, kinds: FileKinds) -> Result<(File, Metadata), ReadRefusal> {
     let mut options = File::options();
     options.read(true);
@@ -220,6 +222,7 @@ fn open_for_reading(path: &Path, kinds: FileKinds) -> Result<(File, Metadata), R
     Ok((file, metadata))
 }
 
+/// Refuses a file of another kind, such as a folder or a pipe.
 fn check_kind(metadata: &Metadata, kinds: FileKinds) -> Result<(), ReadRefusal> {
     let is_stream = system::is_pipe(metadata) || system::is_device(metadata);
     if metadata.is_file() || (kinds == FileKinds::Streams && is_stream) {
@@ -268,6 +271,7 @@ pub(crate) fn sha256_of_parts<'p>(parts: impl Iterator<Item = &'p [u8]>) -> Stri
 /// The first half of the SHA-256 of a name, which takes less memory than the name.
 pub(crate) type NameDigest = [u8; 16];
 
+/// A short digest of a name, which takes less memory than the name.
 pub(crate) fn digest_of_name(name: &OsStr) -> NameDigest {
     let whole: [u8; 32] = Sha256::digest(name.as_encoded_bytes()).into();
     std::array::from_fn(|at| whole[at])

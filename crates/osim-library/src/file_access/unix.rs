@@ -71,6 +71,7 @@ pub(super) fn name_of_unopenable_kind(path: &Path) -> Option<&'static str> {
     type_of_path(path).is_some_and(|kind| kind.is_socket()).then_some("a socket")
 }
 
+/// The name of a file's kind, for messages.
 pub(super) fn kind_name(metadata: &Metadata) -> &'static str {
     let kind = metadata.file_type();
     match () {
@@ -81,6 +82,7 @@ pub(super) fn kind_name(metadata: &Metadata) -> &'static str {
     }
 }
 
+/// Whether the system refuses to open a file because too many are open.
 pub(super) fn is_out_of_files(error: &std::io::Error) -> bool {
     use rustix::io::Errno;
     Errno::from_io_error(error).is_some_and(|errno| [Errno::MFILE, Errno::NFILE].contains(&errno))

@@ -159,6 +159,7 @@ impl<'r> Run<'r> {
         Ok(counts)
     }
 
+    /// Does one task, unless the run is interrupted.
     fn do_task<F: RunFrontEnd>(&self, front_end: &F, task: &Task) -> ModelOutcome<F::Shown> {
         if front_end.is_interrupted() {
             let mut outcome = ModelOutcome::not_begun(task);

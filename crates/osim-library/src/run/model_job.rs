@@ -38,15 +38,18 @@ pub struct ModelOutcome<S> {
 }
 
 impl<S> ModelOutcome<S> {
+    /// The outcome of a task that was not begun.
     pub(super) fn not_begun(task: &Task) -> Self {
         Self { record: Record::not_begun(task), earlier: false, shown: None, failure: None }
     }
 
+    /// The outcome for a model of a folder that has no contacts.
     fn without_contacts(mut record: Record) -> Self {
         record.status = Status::NoContacts;
         Self { record, earlier: false, shown: None, failure: None }
     }
 
+    /// The outcome for a model that failed.
     pub(super) fn failed(failure: Failure, mut record: Record) -> Self {
         record.add_failure(&failure);
         Self { record, earlier: false, shown: None, failure: Some(failure) }
@@ -88,6 +91,7 @@ impl OutcomeCounts {
         *count += 1;
     }
 
+    /// Whether the run ended before all of its models.
     pub fn interrupted(&self) -> bool {
         self.not_begun > 0
     }
@@ -115,6 +119,7 @@ impl<F: RunFrontEnd> ModelJob<'_, F> {
         }
     }
 
+    /// Loads, plans and writes the model, and completes its record.
     fn try_to_run(&self, record: &mut Record) -> Result<ModelOutcome<F::Shown>, Failure> {
         let task = self.task;
         let detail = self.front_end.detail();
@@ -206,6 +211,7 @@ impl<F: RunFrontEnd> ModelJob<'_, F> {
         }))
     }
 
+    /// The model before and after the change, if the front end wants both.
     fn before_after(
         &self,
         files: Option<&ModelFiles>,
@@ -248,6 +254,7 @@ impl<F: RunFrontEnd> ModelJob<'_, F> {
         failure
     }
 
+    /// Plans the change of the opened model, and adds it to its record.
     fn plan(&self, opened: &OpenModel, record: &mut Record) -> Result<Plan, Failure> {
         let settings = &self.task.settings;
         let mut plan = settings.change.plan(opened, &Disk)?;

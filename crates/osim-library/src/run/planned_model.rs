@@ -166,6 +166,7 @@ impl PlannedModel {
         })
     }
 
+    /// The task that writes this model as the output options say.
     fn task_for(&self, output: &OutputOptions) -> Task {
         let settings = JobSettings::new(Arc::clone(&self.change), output);
         Task::new(self.source.clone(), output, Arc::new(settings))

@@ -204,6 +204,7 @@ impl From<JsonRecord> for Record {
 }
 
 impl Record {
+    /// The line of a task that was not begun.
     pub(crate) fn not_begun(task: &Task) -> Self {
         let (model, model_bytes) = FileName::from(task.source.path.as_path()).into_parts();
         let (output, output_bytes) = task.output().map(|path| FileName::from(path).into_parts()).unzip();
@@ -290,6 +291,7 @@ impl Record {
         Self { error, ..self.with_changed_names(|name| from_cell(name).into_owned()) }
     }
 
+    /// The record with its names of files changed by `change`.
     fn with_changed_names(&self, change: impl Fn(&str) -> String) -> Self {
         Self { model: change(&self.model), output: self.output.as_deref().map(&change), ..self.clone() }
     }
@@ -326,6 +328,7 @@ impl Record {
         }
     }
 
+    /// Records that the model failed, and why.
     pub(super) fn add_failure(&mut self, failure: &Failure) {
         self.status = Status::Failed;
         self.error_code = Some(failure.code.to_owned());
@@ -354,6 +357,7 @@ pub(super) struct PropertyChange {
 }
 
 impl PropertyChange {
+    /// The common old value, new value and factor of a property in all changes of a plan; empty where they differ.
     pub(super) fn of_property(plan: &Plan, property: Property) -> Self {
         let changes: Vec<&NumberChange> =
             plan.changes.iter().filter(|change| change.property == property).collect();
@@ -368,6 +372,7 @@ impl PropertyChange {
     }
 }
 
+/// The factor that all changes have in common; `None` if they differ.
 fn common_factor(changes: &[&NumberChange]) -> Option<f64> {
     let factor = |change: &NumberChange| change.factor.unwrap_or(change.to / change.from);
     let first = factor(changes.first()?);

@@ -124,6 +124,7 @@ impl RunRequest {
     }
 }
 
+/// Refuses options that do not go together, such as several models for one output.
 fn check_options(
     named: &[PathBuf],
     sources: &Sources,
@@ -183,10 +184,13 @@ pub trait RunFrontEnd: Sync {
     /// Data of a model that the front end keeps until it is the model's turn to be shown.
     type Shown: Send;
 
+    /// How the front end spells options in messages.
     fn dialect(&self) -> &dyn Speller;
 
+    /// Which details of each model the front end needs.
     fn detail(&self) -> ModelDetail;
 
+    /// What the front end shows of a changed model.
     fn show(&self, changed: ChangedModel<'_>) -> Self::Shown;
 
     /// Whether no further model should be started.

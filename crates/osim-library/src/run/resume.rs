@@ -74,6 +74,7 @@ impl PreviousRun {
         Ok(done)
     }
 
+    /// Adds the lines of a summary or partial summary.
     fn add_lines_of(
         &mut self,
         path: &Path,
@@ -147,6 +148,7 @@ impl PreviousRun {
         }
     }
 
+    /// The latest earlier record about the same file that has an output.
     fn latest_with_output(&self, now: &Record) -> Option<Record> {
         // A line that cannot be read again counts as none.
         let records = if self.is_empty() { Vec::new() } else { self.records_of(now).unwrap_or_default() };
@@ -224,6 +226,7 @@ impl PreviousRun {
     }
 }
 
+/// The fault that an earlier summary cannot be continued.
 fn fault_of_summary(path: &Path, fault: &LibraryFault) -> LibraryFault {
     LibraryFault::new(phrase![
         "cannot continue with {}: give {} the file of the earlier run: {}";
@@ -231,6 +234,7 @@ fn fault_of_summary(path: &Path, fault: &LibraryFault) -> LibraryFault {
     ])
 }
 
+/// A number for a path, which takes less memory than the path.
 fn hash_of_path(file: &Path) -> u64 {
     BuildHasherDefault::<DefaultHasher>::default().hash_one(file)
 }
@@ -242,6 +246,7 @@ struct ExistingOutputs {
 }
 
 impl ExistingOutputs {
+    /// The digests of the files that exist where the task would write; `input` is the model's.
     fn of_task(task: &Task, input: &str) -> Self {
         let digest = |path: &Path| file_access::read_ordinary(path).ok().map(|bytes| sha256(&bytes));
         let model =

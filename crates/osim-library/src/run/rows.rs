@@ -116,6 +116,7 @@ impl TableRows<'_> {
         (tasks, wrong)
     }
 
+    /// The task of one row, after all checks.
     fn make_task(&self, row: &RowRequest, shared: &mut SharedSettings) -> Result<Task, RowFault> {
         let column = self.table.model_column();
         if row.model.is_dir() {
@@ -137,6 +138,7 @@ impl TableRows<'_> {
         Ok(Task { row: usize::try_from(row.line).ok(), user_columns: row.user_columns.clone(), ..task })
     }
 
+    /// The settings of a row, shared with rows that have equal ones.
     fn row_settings(
         &self,
         row: &RowRequest,
@@ -200,6 +202,7 @@ impl WritableFolder {
         })
     }
 
+    /// The message that a row may not write outside of its folder.
     fn message_outside(&self, path: &Path, replaces: bool) -> Phrase {
         let folder = if self.folder == Path::new("") { Path::new(".") } else { &self.folder };
         let does = if replaces { "replace files" } else { "write" };

@@ -165,6 +165,7 @@ impl PreviousLines {
     }
 }
 
+/// Calls `each` with every record of a summary in NDJSON, and the offset of its line.
 fn for_each_json_line(
     mut lines: impl BufRead,
     each: &mut impl FnMut(u64, &Record),
@@ -184,6 +185,7 @@ fn for_each_json_line(
     }
 }
 
+/// Calls `each` with every record of a summary in CSV, and the offset of its line; returns the header.
 fn for_each_row(
     mut lines: impl BufRead,
     user_columns: Option<&[String]>,

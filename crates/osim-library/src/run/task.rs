@@ -175,6 +175,7 @@ impl<'p> PathConflicts<'p> {
         self.count_input(path.into(), 1);
     }
 
+    /// Counts how many models read a file.
     fn count_input(&mut self, path: Cow<'p, Path>, models: usize) {
         if path.as_os_str() != "-" {
             let real = self.digest_without_case(&path);
@@ -221,6 +222,7 @@ impl<'p> PathConflicts<'p> {
         self.add_output_once(real, path, owner)
     }
 
+    /// Adds a file that is written; refuses it if it is written for something else already.
     fn add_output_once(
         &mut self,
         real: NameDigest,

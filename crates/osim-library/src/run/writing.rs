@@ -60,6 +60,7 @@ pub enum WrittenOutput {
 }
 
 impl WrittenOutput {
+    /// A sentence about the written files.
     pub fn describe(&self) -> String {
         match self {
             Self::Nothing(why) => (*why).to_owned(),
@@ -74,6 +75,7 @@ impl WrittenOutput {
         }
     }
 
+    /// The written files; none if the model went to standard output.
     pub fn paths(&self) -> &[PathBuf] {
         match self {
             Self::Files { paths, .. } => paths,

@@ -43,6 +43,7 @@ impl ModelSource {
         failure.code == "no-contacts" && self.folder.is_some()
     }
 
+    /// Whether the model comes from standard input.
     pub fn is_stdin(&self) -> bool {
         self.path.as_os_str() == "-"
     }
@@ -90,6 +91,7 @@ impl Sources {
         sources
     }
 
+    /// Adds the models in a folder and below it, in the order of their names.
     fn search_folder(&mut self, folder: &Path, skip: Option<&Path>, seen: &mut SeenModels) {
         let skip = skip.and_then(|path| path.canonicalize().ok());
         let is_skipped = |path: &Path| skip.is_some() && path.canonicalize().ok() == skip;
@@ -166,14 +168,17 @@ fn is_dead_link(path: &Path) -> bool {
     path.is_symlink() && !path.exists()
 }
 
+/// Whether the name of a file is that of a result of this program.
 fn is_own_output(path: &Path) -> bool {
     path.file_stem().unwrap_or_default().as_encoded_bytes().ends_with(OutputOptions::RESULT_SUFFIX.as_bytes())
 }
 
+/// Whether the name of a folder is that of a sweep.
 fn is_sweep(folder: &Path) -> bool {
     folder.file_name().unwrap_or_default().as_encoded_bytes().ends_with(SWEEP_FOLDER_ENDING.as_bytes())
 }
 
+/// The failure of a folder that cannot be searched.
 fn failure_of_listing(folder: &Path, error: &walkdir::Error) -> Failure {
     let path = error.path().unwrap_or(folder);
     let reason = match (error.loop_ancestor(), error.io_error()) {
@@ -199,6 +204,7 @@ struct SeenModels {
 }
 
 impl SeenModels {
+    /// Adds a model, and says whether it is new.
     fn insert(&mut self, path: &Path) -> bool {
         let real = if path.as_os_str() == "-" { path.to_owned() } else { self.resolver.resolved(path) };
         self.files.insert(digest_of_name(real.as_os_str()))
@@ -256,6 +262,7 @@ impl SplitName {
         format!("'{}' is {}", first.display(), self.reason())
     }
 
+    /// Why the argument does not name a file, with the name in quotes.
     pub fn reason(&self) -> String {
         let name = self.name.display();
         let there = if self.exists { format!(", but '{name}' is") } else { String::new() };

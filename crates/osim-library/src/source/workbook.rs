@@ -76,6 +76,7 @@ fn refuse_overflowing_references(bytes: &[u8]) -> Result<(), FileError> {
 /// The texts of each row by the numbers of their columns. Cells are read one by one, because a broken file may claim any size.
 type CellTextsByRow = BTreeMap<u32, BTreeMap<u32, String>>;
 
+/// The cells of the first sheet as text, row by row.
 fn rows_of_first_sheet(book: &mut Xlsx<Cursor<&[u8]>>) -> Result<CellTextsByRow, FileError> {
     let broken =
         || FileError::new("the first sheet of this workbook cannot be read: save it as CSV in UTF-8");
@@ -148,6 +149,7 @@ fn text_of_cell(cell: &Data) -> Result<String, String> {
     }
 }
 
+/// What a spreadsheet shows for a formula without a value.
 fn name_of_error(error: &CellErrorType) -> &'static str {
     match error {
         CellErrorType::Div0 => "#DIV/0!",

@@ -91,6 +91,7 @@ impl<'s> SweepRun<'s> {
         Ok(Self { request, plan, origin, folder: folder_of_variants(request, model) })
     }
 
+    /// Reads the model and plans the sweep.
     fn plan_sweep(
         request: &'s SweepRequest,
         model: &Path,
@@ -126,6 +127,7 @@ impl<'s> SweepRun<'s> {
         record.with_points(self.points(), self.point_file())
     }
 
+    /// The size of the model's file, in bytes.
     pub fn model_size(&self) -> usize {
         self.plan.model().bytes().len()
     }
@@ -248,6 +250,7 @@ impl<'s> SweepRun<'s> {
         if self.request.force || self.request.resume { WriteMode::Replace } else { WriteMode::New }
     }
 
+    /// Makes and writes one variant.
     fn make_variant(
         &self,
         index: usize,
@@ -298,6 +301,7 @@ impl<'s> SweepRun<'s> {
         }
     }
 
+    /// Writes the file of one variant.
     fn write_file(&self, path: &Path, bytes: &[u8], mode: WriteMode) -> Result<(), LibraryFault> {
         let like = self.origin.stamp_of(FileId::MAIN).map(FileStamp::metadata);
         let prepared = PendingFile::new(path, bytes, like, mode)?;
@@ -332,10 +336,12 @@ impl<'s> SweepRun<'s> {
     }
 }
 
+/// Whether the file exists and has exactly these bytes.
 fn has_bytes(path: &Path, bytes: &[u8]) -> bool {
     file_access::read_ordinary(path).is_ok_and(|existing| existing == bytes)
 }
 
+/// The folder for the variants: that of the request, else `NAME.sweep` beside the model.
 fn folder_of_variants(request: &SweepRequest, model: &Path) -> PathBuf {
     let beside = || {
         let mut name = model.file_stem().unwrap_or_default().to_owned();

@@ -32,6 +32,7 @@ impl<'p> SweepTables<'p> {
         Self { folder, plan, whole: folder.join(plan.table_name()), part, parts: OnceLock::new() }
     }
 
+    /// The table that this run writes.
     pub(super) fn table_of_run(&self) -> &Path {
         self.part.as_deref().unwrap_or(&self.whole)
     }
@@ -175,12 +176,14 @@ impl<'t> WrittenFiles<'t> {
     }
 }
 
+/// Reads which files other runs of the sweep wrote.
 fn read_tables_of_others(tables: &SweepTables<'_>) -> Result<FileDigests, LibraryFault> {
     let mut files_of_run = FileDigests::default();
     tables.tables_of_others().try_for_each(|table| files_of_run.add(table, |_, _| Ok(())))?;
     Ok(files_of_run)
 }
 
+/// Adds lines to a partial table, before the first line its header.
 fn add_partial_lines(partial: &mut PartialFile, lines: &[u8]) -> Result<(), LibraryFault> {
     let mut whole = Vec::new();
     if partial.is_empty() {
@@ -219,6 +222,7 @@ impl FileDigests {
         })
     }
 
+    /// Whether a sweep wrote a file of this name with this digest.
     pub(super) fn contains(&self, file: &str, sha256: &str) -> bool {
         self.0.contains(&digest_of_file(file, sha256))
     }
@@ -254,6 +258,7 @@ fn for_each_line(
     })
 }
 
+/// Calls `each` with the file and the digest of every line of a table.
 fn read_lines(
     path: &Path,
     may_end_in_a_line: bool,

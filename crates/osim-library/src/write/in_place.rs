@@ -59,6 +59,7 @@ pub(crate) enum UndoOutcome {
 }
 
 impl UndoOutcome {
+    /// A remark on what happened while the change was undone; `None` if all is as before.
     pub(crate) fn remark(&self) -> Option<String> {
         match self {
             Self::Restored => None,
@@ -180,10 +181,12 @@ impl ExchangedModel<'_> {
     }
 }
 
+/// The fault that the model is gone, so that nothing was written.
 fn fault_of_missing_model(shown: &Path) -> LibraryFault {
     LibraryFault::new(format!("{} is no longer there, so nothing was written", shown.display()))
 }
 
+/// The fault that another program changed the model meanwhile, with what happened to the files.
 fn fault_of_changed_model(shown: &Path, undone: &UndoOutcome, backup: &Option<PathBuf>) -> LibraryFault {
     let mut message = format!(
         "another program changed {} while it was being worked on, so nothing was written: run again",

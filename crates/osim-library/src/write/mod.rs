@@ -56,6 +56,7 @@ impl OutputFolders {
         folders
     }
 
+    /// Lists a folder, unless it was listed already.
     fn list_folder(&mut self, folder: &Path, tidy: bool) {
         if !self.compiled_names.contains_key(folder) {
             let compiled_names = self.list_compiled_models(folder, tidy);

@@ -182,6 +182,7 @@ impl PendingFile {
     }
 }
 
+/// Whether two files can be read and have equal bytes.
 fn has_same_bytes(one: &Path, other: &Path) -> bool {
     let bytes = file_access::read_ordinary;
     bytes(one).is_ok_and(|one| bytes(other).is_ok_and(|other| one == other))

@@ -245,6 +245,7 @@ fn with_locked_coordinates_at_defaults(
     Ok(locked.with_splined_speeds(couplers)?)
 }
 
+/// The duration of the shortest whole stance in the plates' forces, s.
 fn shortest_stance_s(time_s: &[f64], feet: &[FootGoals<'_>], weight_n: f64) -> f64 {
     let stances = feet.iter().flat_map(|foot| {
         let force_n: Vec<f64> =

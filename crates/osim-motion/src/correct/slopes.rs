@@ -12,6 +12,7 @@ pub(super) type SphereState = [f64; 4];
 /// Numbers of a sphere: its [`SphereState`], and its centre, m.
 type SphereNumbers = [f64; 7];
 
+/// The numbers of a sphere's state: depth, its rate, the slip along both level directions, and the centre.
 fn sphere_numbers(state: &ContactState, level: [DVec3; 2]) -> SphereNumbers {
     let [slip, across] = level.map(|direction| state.slip_m_s.dot(direction));
     let [x, y, z] = state.centre_m.to_array();
@@ -91,6 +92,7 @@ impl FootSlopes {
         &self.slopes[sphere * count..(sphere + 1) * count]
     }
 
+    /// The centre of a sphere in ground, m.
     pub(super) fn centre_m(&self, sphere: usize) -> DVec3 {
         DVec3::from_slice(&self.spheres[sphere][4..])
     }

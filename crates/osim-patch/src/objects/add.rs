@@ -118,6 +118,7 @@ fn refuse_fixed_body(body: &Body) -> Result<(), Fault> {
     Err(Fault::refused(text).at_element(body.path.clone()))
 }
 
+/// The element of the force of a new contact.
 fn force_element_of_contact(
     document: &Document,
     list: &NamesInList,
@@ -136,6 +137,7 @@ fn force_element_of_contact(
     nodes::force(document, contact.kind, &contact.force, &surfaces, &values, true)
 }
 
+/// The path of the floor that the new contacts press on: the model's own, or the one that was made.
 fn plane_path(own: Option<&HalfSpace>, made: Option<&str>) -> String {
     own.map(|plane| plane.path.clone())
         .unwrap_or_else(|| format!("/contactgeometryset/{}", made.unwrap_or(NAME_OF_FLOOR)))

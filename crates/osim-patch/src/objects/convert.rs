@@ -115,6 +115,7 @@ pub fn convert(model: &Model, selected: &Selected, wanted: &Convert) -> Result<C
     Ok(Converted { rebuilt, findings, renamed, without_sphere, dropped })
 }
 
+/// Refuses to convert a force in a file that the model includes.
 fn refuse_included(model: &Model, force: &Force) -> Result<(), Fault> {
     let Some(file) = model.included_file(force.file) else { return Ok(()) };
     let (path, file) = (force.path.clone(), file.to_owned());
@@ -125,6 +126,7 @@ fn has_half_space(force: &Force) -> bool {
     force.sets.iter().any(|set| set.half_spaces > 0)
 }
 
+/// The pairs of sphere and half-space of a force; refuses a force that cannot be converted.
 fn checked_pairs(model: &Model, force: &Force, to: ForceKind) -> Result<Vec<SpherePlanePair>, Fault> {
     let leave_out = |text: String, otherwise: &'static str| {
         let kind = FaultKind::ForceCannotChange { text, force: force.name.clone(), otherwise };
@@ -182,6 +184,7 @@ fn add_dropped_content(tree: &Tree, parent: ElementId, dropped: &mut Vec<String>
     }
 }
 
+/// The comments and elements of a force that its new forces do not have.
 fn dropped_content(tree: &Tree, force: ElementId) -> Vec<String> {
     let comments = tree.content(force).filter(|piece| piece.kind == PieceKind::Comment);
     let texts =
@@ -197,6 +200,7 @@ pub(crate) fn keeps_sphere_inside(model: &Model, force: &Force) -> bool {
     force.spheres().into_iter().filter_map(|id| model.sphere(id)).any(Sphere::is_inside_force)
 }
 
+/// The remark on the composite parameters of a new force; an error in a strict change.
 fn composite_finding(
     model: &Model,
     force: &Force,
@@ -373,6 +377,7 @@ impl ContactLayout {
 }
 
 impl NewContact {
+    /// Gives the contact another class of force; parameters that it lacks are computed.
     fn set_class(&mut self, kind: ForceKind) -> Result<(), Fault> {
         self.kind = kind;
         if kind == ForceKind::SmoothSphereHalfSpace {
@@ -414,6 +419,7 @@ impl NewContact {
         Ok(self)
     }
 
+    /// Gives the contact a value of a parameter.
     pub fn set_value(&mut self, property: Property, value: f64) {
         match self.values.iter_mut().find(|(known, _)| *known == property) {
             Some((_, old)) => *old = value,

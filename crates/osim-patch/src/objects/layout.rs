@@ -175,10 +175,12 @@ fn add_mirrored_body(anatomy: &mut Anatomy, of: &str, image: &str) {
     anatomy.joints.extend(images);
 }
 
+/// The mirror image of a place in z.
 fn mirrored_place([x, y, z]: [f64; 3]) -> [f64; 3] {
     [x, y, if z == 0.0 { z } else { -z }]
 }
 
+/// The mirror image of a contact, on the body of the other side.
 fn mirrored_contact(contact: &NewContact, side: Side) -> Result<NewContact, Fault> {
     let body = name_of_other_side(&contact.body).ok_or_else(|| {
         Fault::refused(format!(
@@ -264,6 +266,7 @@ pub(crate) fn sphere_plane_pairs(model: &Model, force: &Force) -> Result<Vec<Sph
     Ok(pairs)
 }
 
+/// Whether a sphere and a half-space are on different bodies.
 fn can_meet(sphere: &Sphere, plane: &HalfSpace) -> bool {
     plane.body.is_none() || plane.body != sphere.body
 }

@@ -25,6 +25,7 @@ pub(super) struct ParentFrame<'c> {
 const GROUND_FRAME: ParentFrame<'static> = ParentFrame { name: "ground", path: "/ground" };
 
 impl ParentFrame<'_> {
+    /// The element that attaches geometry to this frame, in the form of the document's version.
     fn node(&self, version: u32) -> NewElement {
         if version < FIRST_WITH_SOCKET_FRAME {
             NewElement::leaf("body_name", escaped_attribute(self.name))
@@ -175,6 +176,7 @@ impl NamesInList {
         Self(written.chain(geometry.filter_map(own)).collect())
     }
 
+    /// What the list calls the geometry at `path`: its name, or its path if the name is taken.
     pub(super) fn name_of<'p>(&self, path: &'p str) -> &'p str {
         let name = path.strip_prefix("/contactgeometryset/");
         name.filter(|name| !self.0.contains(*name)).unwrap_or(path)
@@ -216,6 +218,7 @@ impl SurfacesInsideForces {
         Ok((self.add_sphere(model, force, sphere, names)?, self.add_plane(model, force, plane, names)?))
     }
 
+    /// Moves the sphere inside a force to the geometry set, and returns its new path.
     fn add_sphere(
         &mut self,
         model: &Model,
@@ -233,6 +236,7 @@ impl SurfacesInsideForces {
         Ok(self.record_added("ContactSphere", contact.sphere, sphere.body.clone()))
     }
 
+    /// Moves the half-space inside a force to the geometry set, and returns its new path.
     fn add_plane(
         &mut self,
         model: &Model,

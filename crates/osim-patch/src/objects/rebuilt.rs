@@ -76,6 +76,7 @@ impl RebuiltModel {
         Self { model, objects, made, added, earlier_note: EarlierNote::Replaced }
     }
 
+    /// The model as if both steps were one change: with the changed objects of the `first` step, too.
     pub fn with_earlier_step(mut self, first: &Self) -> Self {
         self.objects.splice(0..0, first.objects.iter().cloned());
         // The earlier note still is about some contacts, so the new one replaces it.
@@ -148,6 +149,7 @@ pub(super) fn refuse_non_utf8_name(model: &Model, name: &str) -> Result<(), Faul
     )))
 }
 
+/// The names of all objects in a set.
 fn names_in_set(model: &Model, set: &str) -> Vec<String> {
     let document = model.document();
     let tree = document.tree();

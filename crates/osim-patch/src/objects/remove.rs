@@ -117,6 +117,7 @@ fn remove_others(
     Ok(())
 }
 
+/// Refuses to remove an object that is in an included file.
 fn refuse_other_file(model: &Model, file: FileId, path: &str) -> Result<(), Fault> {
     match model.included_file(file) {
         Some(included) => {
@@ -169,6 +170,7 @@ fn removal_edits(model: &Model, elements: &[ElementId], made: &mut String) -> Ve
     edits
 }
 
+/// Whether a set loses all of its members.
 fn is_emptied(tree: &Tree, set: Option<ElementId>, going: &HashSet<ElementId>) -> bool {
     let Some(objects) = set.and_then(|set| tree.child(set, "objects")) else { return false };
     let mut members = tree.children(objects).peekable();
@@ -289,6 +291,7 @@ fn named_owner(tree: &Tree, leaf: ElementId) -> Option<ElementId> {
         .find(|&id| tree.attribute(id, "name").is_some())
 }
 
+/// The class and the name of an object, for messages.
 fn class_and_name(tree: &Tree, owner: Option<ElementId>) -> String {
     let name = |id: ElementId| Some(format!("{} {}", tree.name(id), tree.attribute(id, "name")?));
     owner.and_then(name).unwrap_or_default()

@@ -139,6 +139,7 @@ fn append_first(tree: &Tree, set: ElementId, list: &NewElement) -> Option<Edit> 
     }
 }
 
+/// Puts `nodes` into an empty element, and records in `made` the letter for the form that it had.
 fn fill_empty(
     tree: &Tree,
     element: ElementId,

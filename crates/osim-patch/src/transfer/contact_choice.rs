@@ -92,6 +92,7 @@ impl<'t> ContactChoice<'t> {
         Err(Fault::new(MissingFact::ReferenceContact { reference, unmatched }))
     }
 
+    /// The contact of the reference that a sphere gets.
     pub(crate) fn contact_for_sphere(&self, model: &Model, sphere: SphereId) -> &'t ReferenceContact {
         match self {
             Self::One(contact) | Self::Named { contact, .. } => contact,
@@ -133,6 +134,7 @@ impl<'t> ContactChoice<'t> {
         Err(Fault::new(MissingFact::ReferenceRadius { reference: reference.name.clone(), unmatched }))
     }
 
+    /// The contact of the reference that all spheres of a force get; an error if they get different ones.
     pub(crate) fn contact_for_force(
         &self,
         model: &Model,
@@ -176,6 +178,7 @@ fn contacts_by_sphere_name(contacts: &[ReferenceContact]) -> HashMap<&str, &Refe
     found
 }
 
+/// The contact without dimension, for comparing contacts of one reference.
 fn dimensionless_contact(contact: &ReferenceContact) -> Result<DimensionlessContact, Fault> {
     let values = ScaleValues {
         mass_kg: 1.0,

@@ -127,6 +127,7 @@ struct TargetForce<'t> {
 }
 
 impl TargetForce<'_> {
+    /// Plans the parameters of this force.
     fn plan(&self, plan: &mut PlanBuilder<'_>, wanted: &Transfer) -> Result<(), Fault> {
         for property in Property::ALL.into_iter().filter(|&property| wanted.properties.contains(property)) {
             let scaled = match wanted.rule {
@@ -148,6 +149,7 @@ impl TargetForce<'_> {
         Ok(())
     }
 
+    /// The value of a property in the reference; `None` if it has none.
     fn reference_value(&self, property: Property) -> Option<f64> {
         let smoothing = self.from.contact.smoothing();
         match property {
@@ -163,6 +165,7 @@ impl TargetForce<'_> {
     }
 }
 
+/// The plan of a transfer, with its note and its remarks.
 fn plan_with_note_and_remarks(
     plan: PlanBuilder<'_>,
     wanted: &Transfer,

@@ -57,6 +57,7 @@ pub struct Reference {
 }
 
 impl Reference {
+    /// The fault that the reference has no contacts.
     pub fn without_contacts(&self) -> Fault {
         Fault::refused(format!("the reference {} has no contacts to take", self.name))
     }
@@ -239,6 +240,7 @@ pub fn reference_of_layout(
     Ok(Reference { name: name.to_owned(), mass, sphere_count, gravity_m_s2, contacts })
 }
 
+/// A new contact as a contact of a reference.
 fn contact_of_new(new: &NewContact) -> Result<ReferenceContact, Fault> {
     let smooth = new.kind == ForceKind::SmoothSphereHalfSpace;
     let class = if smooth { Class::SmoothSphereHalfSpaceForce } else { Class::ContactParameters };

@@ -157,6 +157,7 @@ impl DesignInputs {
         })
     }
 
+    /// The load on all spheres, if load and number of spheres are given.
     pub(super) fn shared_load(&self) -> Result<Option<SharedLoad>, DomainError> {
         self.load_n.zip(self.spheres).map(|(load, spheres)| SharedLoad::new(load, spheres)).transpose()
     }
@@ -218,6 +219,7 @@ impl DesignInputs {
         RequestFault::general(message)
     }
 
+    /// The end of a message, if only the load or only the number of spheres is given.
     fn missing_part_of_load(&self) -> Phrase {
         match (self.load_n.is_some(), self.spheres.is_some()) {
             (true, false) => phrase!["; the load needs ", Input::Spheres.with_placeholder("N"), " too"],

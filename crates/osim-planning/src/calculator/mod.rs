@@ -229,6 +229,7 @@ fn input_that_needs_a_model(request: &DesignRequest) -> Option<Input> {
     given.into_iter().find(|(_, given)| *given).map(|(input, _)| input)
 }
 
+/// Adds E* and the `stiffness` that OpenSim needs for it.
 fn add_moduli(
     sheet: &mut DesignSheet,
     composite: f64,
@@ -257,6 +258,7 @@ fn add_moduli(
     Ok(())
 }
 
+/// Adds the quantities of one sphere under its load.
 fn add_sizing(
     sheet: &mut DesignSheet,
     sizing: &Sizing,
@@ -306,6 +308,7 @@ fn add_sizing(
     Ok(())
 }
 
+/// Adds the dissipation for the wanted restitution.
 fn add_dissipation(
     sheet: &mut DesignSheet,
     wanted: &WantedOptions,
@@ -341,6 +344,7 @@ fn add_dissipation(
     Ok(())
 }
 
+/// Adds the smoothing for the wanted transition.
 fn add_smoothing(
     sheet: &mut DesignSheet,
     request: &DesignRequest,

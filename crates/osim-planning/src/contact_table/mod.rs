@@ -23,6 +23,7 @@ pub struct TableFault {
 }
 
 impl TableFault {
+    /// A fault in the header of one column.
     fn of_header(index: usize, message: String) -> Self {
         Self { line: Some(1), column: Some(index + 1), message }
     }
@@ -102,6 +103,7 @@ struct ContactCells<'s> {
 }
 
 impl ContactCells<'_> {
+    /// Reads the contact of this row.
     fn read_contact(&self, columns: &ContactColumns) -> Result<ContactRow, TableFault> {
         let name = self.cell_text(columns.name);
         refuse_name(name).map_err(|fault| self.fault_at(columns.name, fault.phrase()))?;
@@ -277,6 +279,7 @@ impl ContactColumns {
     }
 }
 
+/// What the header of a column means; an error for an unknown header.
 fn column_meaning(header: &str) -> Result<ColumnMeaning, String> {
     if header.is_empty() || header.starts_with('#') {
         return Ok(ColumnMeaning::Ignored);

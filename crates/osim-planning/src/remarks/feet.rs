@@ -50,6 +50,7 @@ impl<'f> FeetWithSpheres<'f> {
         })
     }
 
+    /// Whether a body belongs to a foot that gets spheres.
     fn gets_spheres(&self, body: &str) -> bool {
         self.bodies().any(|own| own == body)
     }
@@ -104,6 +105,7 @@ impl<'f> FeetWithSpheres<'f> {
     }
 }
 
+/// A remark about bodies, made by `text` from their names; `None` if there are none.
 fn about_bodies(bodies: &[&str], text: impl FnOnce(String) -> String) -> Option<Phrase> {
     let listed: Vec<String> = bodies.iter().map(|body| shown(body).to_string()).collect();
     (!listed.is_empty()).then(|| text(listed.join(", ")).into())
@@ -124,6 +126,7 @@ pub(crate) fn remark_on_standing(plan: &Plan, built: &Model) -> Option<Phrase> {
     bodies.into_iter().find(is_new).and_then(|body| lowest_sphere_remark(&body))
 }
 
+/// A remark on how far the lowest sphere is from the floor at the default pose.
 fn lowest_sphere_remark(body: &StandingBody) -> Option<Phrase> {
     let (lowest, height, way) = (body.lowest()?, body.height_in_words()?, body.describe_way_to_stand());
     let lowest = shown(&lowest.sphere);

@@ -62,6 +62,7 @@ pub(crate) fn remarks_on_smoothing(objects: &[ObjectChange], given: bool) -> Vec
     remarks
 }
 
+/// The smoothing parameters of a new smoothed force.
 fn smoothing_values(object: &ObjectChange) -> Option<[f64; 3]> {
     let value = |wanted: Property| {
         object.parameters.iter().find(|(property, _)| *property == wanted).map(|(_, value)| *value)
@@ -70,6 +71,7 @@ fn smoothing_values(object: &ObjectChange) -> Option<[f64; 3]> {
     (object.class == ForceKind::SmoothSphereHalfSpace.as_str()).then_some([force?, hertz?, hunt_crossley?])
 }
 
+/// A sentence with the smoothing parameters that `count` new forces have.
 fn smoothing_sentence(values: &[f64; 3], count: usize) -> Phrase {
     let one = |(property, value): (Property, &f64)| {
         format!("{} {} {}", property.name(), readable(*value), property.unit())
@@ -131,6 +133,7 @@ pub(crate) fn remark_on_kept_friction(plan: &Plan, built: &Model) -> Option<Phra
     Some(phrase![text, Input::Friction])
 }
 
+/// Whether a coefficient of friction of the force is above 0.
 fn has_friction(force: &Force) -> bool {
     const FRICTION_PROPERTIES: [Property; 3] =
         [Property::StaticFriction, Property::DynamicFriction, Property::ViscousFriction];

@@ -44,6 +44,7 @@ impl BodyFall {
         bodies.iter().map(|body| Self::of_body(body, duration_s)).collect()
     }
 
+    /// The fall of one body from a quarter of its radius.
     fn of_body(body: &ContactBody, duration_s: f64) -> Self {
         let none = |failure: Failure| Self {
             name: body.name.clone(),

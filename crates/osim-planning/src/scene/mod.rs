@@ -125,6 +125,7 @@ fn loads_at_rest(
     loads
 }
 
+/// The moving spheres of a model at their places in ground, with their sides and their loads.
 fn placed_spheres(
     model: &Model,
     forces: &[ForceId],
@@ -318,6 +319,7 @@ struct FootFrames<'r> {
 }
 
 impl FootFrames<'_> {
+    /// The force on the foot in each frame, in body weights, from `wrench_at`.
     fn played_force(&self, wrench_at: impl Fn(usize) -> Option<Wrench>, has_points: bool) -> PlayedForce {
         let weight_n = self.result.summary.weight_n;
         let forces = self
@@ -342,6 +344,7 @@ impl FootFrames<'_> {
     }
 }
 
+/// The axes and the origin of a placement as whole numbers, for a view.
 fn pose_numbers(placement: &Placement) -> Vec<i32> {
     axes_and_origin(placement).into_iter().flatten().map(in_view_units).collect()
 }

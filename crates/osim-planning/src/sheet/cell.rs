@@ -78,6 +78,7 @@ fn is_formula(text: &str) -> bool {
     text.trim_start_matches(TEXT_MARK).starts_with(['=', '+', '-', '@', '\t', '\r', '\n'])
 }
 
+/// The text with an escape for each letter that controls a terminal.
 fn with_escapes(text: &str) -> Cow<'_, str> {
     if !text.contains(controls_terminal) && !text.contains(ESCAPE_BEGIN) {
         return text.into();

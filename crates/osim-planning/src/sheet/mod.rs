@@ -130,6 +130,7 @@ impl Sheet {
         }
     }
 
+    /// The headers of all columns, for messages.
     pub(crate) fn listed_columns(&self) -> String {
         let known: Vec<_> = self.header.iter().map(|cell| format!("'{cell}'")).collect();
         if known.is_empty() { "nothing".to_owned() } else { known.join(", ") }
@@ -183,6 +184,7 @@ pub(crate) fn is_broken_formula(cell: &str) -> bool {
     numbered || FORMULA_ERRORS.split(' ').any(|known| known.eq_ignore_ascii_case(cell))
 }
 
+/// The text of a number with a decimal point instead of a comma; an error if commas separate columns or thousands.
 fn with_decimal_point(cell: &str, delimiter: u8) -> Result<Cow<'_, str>, &'static str> {
     if is_broken_formula(cell) {
         return Err(BROKEN_FORMULA_MESSAGE);
@@ -195,6 +197,7 @@ fn with_decimal_point(cell: &str, delimiter: u8) -> Result<Cow<'_, str>, &'stati
     }
 }
 
+/// The error of the CSV reader in words, with its line.
 fn csv_error_text(error: &csv::Error, bytes: &[u8]) -> String {
     match error.kind() {
         csv::ErrorKind::Utf8 { pos: Some(place), .. } => {
@@ -224,6 +227,7 @@ fn message_of_unequal_rows(unequal: &[(u64, usize, bool)], header: &[String], de
     format!("{rows}, expected {expected} as in the first row: {cause}")
 }
 
+/// Why rows probably have more or fewer cells than the header.
 fn probable_cause(unequal: &[(u64, usize, bool)], header: &[String], delimiter: u8) -> String {
     if header.first().is_some_and(|cell| cell.starts_with('#')) {
         return "the first row begins with #, and it names the columns: leave comments out".to_owned();

@@ -98,6 +98,7 @@ impl<'s> SweepPlan<'s> {
         &self.model
     }
 
+    /// The name of the file of a variant.
     pub fn file_name(&self, index: usize) -> String {
         let part = match &self.ladder {
             Some(ladder) => ladder.file_part(index),
@@ -137,6 +138,7 @@ impl<'s> SweepPlan<'s> {
         })
     }
 
+    /// The word in the name of the table: `ladder` or `sweep`.
     fn table_kind(&self) -> &'static str {
         if self.ladder.is_some() { "ladder" } else { "sweep" }
     }
@@ -150,6 +152,7 @@ impl<'s> SweepPlan<'s> {
         self.request.model.as_deref().and_then(Path::file_stem).unwrap_or_default().to_string_lossy()
     }
 
+    /// The names of the columns of the table of variants.
     pub fn table_header(&self) -> Vec<String> {
         header(match self.ladder {
             Some(_) => COLUMNS_OF_LADDER.map(str::to_owned).to_vec(),
@@ -237,10 +240,12 @@ impl<'s> SweepPlan<'s> {
         })
     }
 
+    /// Makes a variant in memory.
     fn make_variant(&self, job: &VariantJob) -> Result<Variant, Failure> {
         Variant::of_stages(self.request, &self.model, &job.stages, &job.operation, job.target_mass_kg)
     }
 
+    /// The changes that make the variant with this index.
     fn job_of_variant(&self, index: usize) -> Result<VariantJob, RequestFault> {
         let Some(ladder) = &self.ladder else {
             let point = point_at(&self.request.grid, index);

@@ -240,6 +240,7 @@ pub(super) fn stages_at(request: &SweepRequest, point: &GridPoint<'_>) -> Result
     Ok(stages)
 }
 
+/// Prepares the design that gives a variant this indentation and restitution.
 pub(super) fn prepare_design(
     request: &SweepRequest,
     indentation: Option<f64>,
@@ -272,6 +273,7 @@ pub(super) fn prepare_design(
     design::prepare(design)
 }
 
+/// Prepares new values of properties for a variant.
 pub(super) fn prepare_set(
     request: &SweepRequest,
     assignments: Vec<(Property, Assignment)>,
@@ -287,6 +289,7 @@ pub(super) fn prepare_set(
     set::prepare(set)
 }
 
+/// Prepares the rescaling of a variant to this mass.
 fn prepare_rescale(request: &SweepRequest, target_mass_kg: f64) -> Result<PreparedChange, RequestFault> {
     let target_mass =
         Kilograms::new(target_mass_kg).map_err(|why| RequestFault::refused(Input::TargetMass, why))?;

@@ -109,10 +109,12 @@ impl RowCells {
         self.fields.get(flag) == Some(&Value::Bool(true))
     }
 
+    /// Sets a field of the row's request.
     fn set_field(&mut self, field: &str, value: impl Into<Value>) {
         self.fields.insert(field.to_owned(), value.into());
     }
 
+    /// Sets a field of the row's request that is a path.
     fn set_path(&mut self, field: &str, path: PathBuf) {
         match field {
             "output" => self.output = Some(path),
@@ -123,10 +125,12 @@ impl RowCells {
     }
 }
 
+/// The items of a cell between these marks.
 fn cell_items<'c>(cell: &'c str, marks: &[char]) -> impl Iterator<Item = &'c str> {
     cell.split(marks).map(trimmed).filter(|item| !item.is_empty())
 }
 
+/// The cells of a row that are not empty, with their columns.
 fn filled_cells<'r>(row: &'r Row, columns: &'r Columns) -> impl Iterator<Item = (&'r Column, &'r str)> {
     let cells = row.cells.iter().map(String::as_str);
     columns.columns.iter().zip(cells).filter(|(_, cell)| !cell.is_empty())
@@ -206,6 +210,7 @@ fn may_part_thousands(digits: &str, mark: char) -> bool {
     })
 }
 
+/// Whether a cell says yes; an error if it says neither yes nor no.
 fn is_yes(cell: &str, column: &Column) -> Result<bool, RowFault> {
     match cell.to_ascii_lowercase().as_str() {
         "yes" | "true" | "1" | "x" => Ok(true),

@@ -119,6 +119,7 @@ impl Columns {
             .collect()
     }
 
+    /// The header of the column that gives a field.
     pub(super) fn header_of(&self, field: &str) -> Option<&str> {
         let column =
             self.columns.iter().find(|column| column.field == field && column.kind != CellKind::Model)?;
@@ -185,6 +186,7 @@ fn column(
     Ok(Column { header: cell.to_owned(), field, kind })
 }
 
+/// The message that a column is an option of the whole run.
 fn message_about_run_option(cell: &str, field: &str) -> Phrase {
     let about = format!("the column '{cell}' is about the whole run: write ");
     match Input::find(field) {
@@ -218,6 +220,7 @@ fn fields() -> BTreeMap<String, Option<CellKind>> {
     CHANGING.iter().copied().flat_map(of_verb).collect()
 }
 
+/// How cells give the value of an option; `None` for an option of the whole run.
 fn kind_of_cells(option: &Entry) -> Option<CellKind> {
     if option.is_of_run {
         return None;

@@ -80,6 +80,7 @@ impl Table {
         rows.map(move |row| (row.line, self.request(row, call, files)))
     }
 
+    /// The request of one row.
     fn request(&self, row: &Row, call: &OutputOptions, files: &dyn Files) -> Result<RowRequest, RowFault> {
         let cells = RowCells::read(row, &self.columns, &self.sheet, &self.folder, files)?;
         let output = output_options_of_row(&cells, call)?;
@@ -125,6 +126,7 @@ impl Table {
         Ok(PreparedChange { output: row.output.clone(), ..change })
     }
 
+    /// The fault of a request as a fault of its row, with the column that it is about.
     fn row_fault(&self, fault: &RequestFault, verb: Verb) -> RowFault {
         let column = fault
             .field()

@@ -32,6 +32,7 @@ fn plan_sockets(model: &Model) -> Result<Plan, Fault> {
     Ok(Plan::from_objects(rebuilt, summary.into()))
 }
 
+/// The beginning of a sentence about sockets that get a path.
 fn sockets_get(count: usize) -> String {
     if count == 1 { "1 socket gets".to_owned() } else { format!("{count} sockets get") }
 }

@@ -58,6 +58,7 @@ pub(super) fn planner(request: DesignRequest) -> Result<DesignPlanner, RequestFa
     })
 }
 
+/// Refuses options that have no effect in this request.
 fn refuse_useless_options(request: &DesignRequest) -> Result<(), RequestFault> {
     let wanted = &request.wanted;
     let wants_depth = wanted.indentation.is_some() || request.stress.is_some();
@@ -123,6 +124,7 @@ impl Planner for DesignPlanner {
 }
 
 impl DesignPlanner {
+    /// The load on the spheres, and the mass whose weight it is; `None` if the design needs no load.
     fn load_per_sphere(
         &self,
         model: &Model,

@@ -65,6 +65,7 @@ pub(super) fn remarks(
     remarks
 }
 
+/// A remark on each foot: how far its force was from the plates before the fit, and is after it.
 fn remarks_on_feet(before: &Summary, after: &Summary) -> Vec<Phrase> {
     let bw = |force_n: f64| force_n / before.weight_n;
     let sentence = |(old, new): (&FootSummary, &FootSummary)| {
@@ -108,6 +109,7 @@ fn remark_on_other_forces(others: &[String]) -> Option<Phrase> {
     Some(format!("the floor is also that of {}{more}, {text}", shown(first)).into())
 }
 
+/// A remark if the recordings hardly separate the stiffness from the height of the floor.
 fn remark_on_correlation(correlation: f64) -> Option<Phrase> {
     let text = "the data hardly separate the stiffness from the height of the floor";
     (correlation.abs() > STRONG_CORRELATION).then(|| format!("{text} (correlation {correlation:.2})").into())
@@ -127,6 +129,7 @@ fn height_in_words(height: &FittedParameter, ways: [&str; 2], more: &str) -> Str
     format!("{way} by {value:.1} mm{more}; {low:.1} to {high:.1} mm fit nearly as well")
 }
 
+/// A remark on the fitted stiffness and its range.
 fn remark_on_stiffness(factor: &FittedParameter) -> Phrase {
     let ((low, high), bound) = (factor.nearly_as_good, bound_in_words(factor));
     let range = format!("{low:.2} to {high:.2} times fit nearly as well");
@@ -138,6 +141,7 @@ fn remark_on_stiffness(factor: &FittedParameter) -> Phrase {
     text.into()
 }
 
+/// A remark on the fitted dissipation and its range.
 fn remark_on_dissipation(dissipation: &FittedParameter) -> Phrase {
     let (low, high) = dissipation.nearly_as_good;
     let undetermined = if high - low > WIDE_DISSIPATION_S_M { ": it is not determined" } else { "" };

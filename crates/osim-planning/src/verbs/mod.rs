@@ -37,6 +37,7 @@ pub fn prepare(request: impl Into<Request>, files: &dyn Files) -> Result<Prepare
     Ok(PreparedChange { details, settings, ..prepare_change(request, files)? })
 }
 
+/// Prepares the change of each verb that changes models.
 fn prepare_change(request: Request, files: &dyn Files) -> Result<PreparedChange, RequestError> {
     match request {
         Request::Rescale(request) => rescale::prepare(*request, files),

@@ -128,6 +128,7 @@ pub(super) fn reference_of_opened(
     Ok((reference, state, Some(GenericModel { anatomy, file, sphere_count, standing })))
 }
 
+/// The reference under the weight that its contacts are made for, for comparisons.
 fn reference_state(
     request: &TransferRequest,
     from: &Path,
@@ -141,6 +142,7 @@ fn reference_state(
     ReferenceState::from_model(file_name(from), open, selection, (reference.mass.kg, spheres, gravity))
 }
 
+/// Reads the contacts of a model as a reference, with their gravity or why it is not known.
 fn reference_from_model(
     model: &Model,
     mass_of_published: MassOfPublished,

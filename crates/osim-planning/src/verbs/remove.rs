@@ -25,6 +25,7 @@ pub(super) fn prepare(request: RemoveRequest) -> Result<PreparedChange, RequestF
     Ok(PreparedChange::new(Verb::Remove, models, output, inspection, planner))
 }
 
+/// Plans the removal of the chosen contacts; without a choice, of those that this program added, if there are any.
 fn plan_removal(model: &Model, selection: &Selection) -> Result<Plan, Fault> {
     // Without a choice, the forces that this program added are removed: there is no need to ask.
     let added = added_forces(model).filter(|_| selection.select.is_empty());

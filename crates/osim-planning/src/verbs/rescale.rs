@@ -126,6 +126,7 @@ pub(super) enum BodyFactors {
 }
 
 impl BodyFactors {
+    /// The name of this rescaling in notes.
     pub(super) const fn operation(&self) -> &'static str {
         match self {
             Self::Nothing => "rescale",

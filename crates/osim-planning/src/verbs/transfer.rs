@@ -97,6 +97,7 @@ fn is_standard_input(path: &Path) -> bool {
     path == Path::new("-")
 }
 
+/// Refuses options that have no effect in this request.
 fn refuse_useless_options(request: &TransferRequest) -> Result<(), RequestFault> {
     if request.from.as_deref().is_some_and(is_standard_input)
         && request.models.iter().any(|path| is_standard_input(path))
@@ -244,6 +245,7 @@ impl TransferPlanner {
         Ok(plan)
     }
 
+    /// The places and radii of spheres that follow their bodies from the generic model, and the scale factors.
     fn followed_spheres(
         &self,
         model: &Model,
@@ -317,6 +319,7 @@ impl TransferPlanner {
         }
     }
 
+    /// The rule by which the contacts of the reference are scaled.
     fn scaling_rule(&self, follow: Option<&Follow>) -> Result<ScalingRule, Fault> {
         if self.follow.rule == RuleChoice::Paper {
             return Ok(ScalingRule::Paper);

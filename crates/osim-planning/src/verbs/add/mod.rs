@@ -63,6 +63,7 @@ impl Planner for AddPlanner {
 }
 
 impl AddPlanner {
+    /// Plans new contacts for the model in the file at `path`.
     fn plan_for_file(&self, model: &Model, path: &Path, files: &dyn Files) -> Result<Plan, AddFault> {
         self.answers.require_yes(question_about_scale(&self.body_scale)).map_err(Fault::new)?;
         let (bare, removed) = self.without_contacts(model)?.unzip();

@@ -108,6 +108,7 @@ fn remark_on_scaled_radii(layout: &ContactLayout) -> Option<Phrase> {
 }
 
 impl TablePlaces {
+    /// The new contacts that the table gives a model.
     fn contacts_of_table(
         &self,
         model: &Model,
@@ -201,6 +202,7 @@ impl TablePlaces {
 }
 
 impl FeetPlaces {
+    /// The soles under the bones of a model, with the spheres on them.
     fn soles_of_feet(
         &self,
         (model, path): (&Model, &Path),

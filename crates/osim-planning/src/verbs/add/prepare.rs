@@ -84,6 +84,7 @@ pub(in crate::verbs) fn prepare(
     Ok(PreparedChange { reference, extra_files, ..change })
 }
 
+/// Refuses options that have no effect in this request.
 fn refuse_useless_options(request: &AddRequest) -> Result<(), RequestFault> {
     if request.masses.contacts_mass.is_some() {
         let message = match request.from {
@@ -209,6 +210,7 @@ fn reference_numbers(
     Ok((ReferenceNumbers::new(layout, reference, transfer_planner), state, is_file))
 }
 
+/// The choice of the reference's forces.
 fn reference_selection(request: &AddRequest) -> Selection {
     Selection { select: request.reference.reference_select.clone(), ..Selection::default() }
 }
@@ -277,6 +279,7 @@ fn remarks_on_defaults(request: &AddRequest, kind: ForceKind) -> Vec<Phrase> {
     remarks
 }
 
+/// The fault that no radius is given or follows from anything.
 fn missing_radius() -> RequestFault {
     let message = phrase![
         Input::Radius.with_placeholder("METRES"),
@@ -285,6 +288,7 @@ fn missing_radius() -> RequestFault {
     RequestFault::refused(Input::Radius, message)
 }
 
+/// The fault that the request gives no places of contacts.
 fn missing_source() -> RequestFault {
     RequestFault::general(phrase![
         "the places of the contacts are not given: {} takes those of another model at this one's size, {} those of a \
