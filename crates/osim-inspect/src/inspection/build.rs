@@ -25,12 +25,12 @@ use crate::{
 impl InspectOptions {
     /// Inspects a model. This never fails: a value that is not known is `None`. `name` is the name of the file.
     pub fn inspect(&self, name: impl Into<FileName>, model: &Model, factors: Option<&Factors>) -> Inspection {
-        let note = NoteSummary::of(model);
-        Inspection { note, ..self.inspect_with(name, model, factors, RestsToCompute::All) }
+        let (note, heel_spheres) = (NoteSummary::of(model), spheres_under_heels(model));
+        Inspection { note, heel_spheres, ..self.inspect_with(name, model, factors, RestsToCompute::All) }
     }
 
-    /// Inspects a model for the rules only: without the summary of the note, and without the equilibrium of bodies that stand as they
-    /// should.
+    /// Inspects a model for the rules only: without the summary of the note and the spheres under heels, and without the equilibrium of
+    /// bodies that stand as they should.
     pub fn inspect_for_rules(&self, name: impl Into<FileName>, model: &Model) -> Inspection {
         self.inspect_with(name, model, None, RestsToCompute::OfOddBodies)
     }
@@ -109,7 +109,7 @@ impl InspectOptions {
             similarity: None,
             reference_contacts: None,
             figures: figures.unwrap_or_else(|fault| Figures::absent(fault.phrase())),
-            heel_spheres: spheres_under_heels(model),
+            heel_spheres: Vec::new(),
             standing: bodies,
             why_no_standing: standing.err().map(|fault| fault.to_string()),
         }
