@@ -80,20 +80,51 @@ fn no_advice_about_a_model_names_a_command_that_changes_it() {
 }
 
 #[test]
-fn where_the_forms_of_14_part_the_check_of_a_scaled_model_has_both() {
-    // The horse of Table 1, 545 kg on 15 mm, from the human of 62 kg on 32 mm with 2 s/m: 2.921 and 1.392 s/m (mpmath).
-    let request = json!({"verb": "check", "models": ["table1/horse_smooth_sphere.osim"],
-        "from": "table1/human_62kg_smooth_sphere.osim"});
-    let Ok(Request::Check(request)) = Request::from_json(request.to_string().as_bytes()) else { panic!() };
-    let files = fixtures();
-    let inspector = Inspector::for_check(&request, &files);
-    let opened = open_with(&request.models[0], CompanionPaths::default(), &files).unwrap();
-    let result = inspector.check(&opened.model, &inspector.inspect(&opened).unwrap(), None, &files);
-    let found = result.findings.iter().find(|found| found.code() == FindingCode::DissipationForms);
-    let message = found.unwrap().message.to_string();
-    for part in ["2.921 s/m by radius", "1.392 s/m by mass", "this model has 2.921"] {
-        assert!(message.contains(part), "{message}");
+fn where_the_forms_of_14_part_the_check_of_a_scaled_model_has_all() {
+    // From the human of 62 kg on 32 mm with 2 s/m (mpmath). The horse of Table 1: 545 kg on 15 mm. The child of 20 kg, on 32 mm:
+    // the distances between its joints, from its file, are together 0.64296940 of the human's.
+    let human = "table1/human_62kg_smooth_sphere.osim";
+    let mut files = fixtures();
+    files.add(Path::new("walks/moved.osim"), child_on_moved_spheres().into_bytes());
+    for (model, original, parts) in [
+        (
+            "table1/horse_smooth_sphere.osim",
+            human,
+            &["2.921 s/m by radius", "1.392 s/m by mass", "has 2.921"][..],
+        ),
+        (
+            "walks/moved.osim",
+            "scale_tool/generic_smooth.osim",
+            &["2 s/m by radius", "2.415 s/m by mass", "2.494 s/m by length of bones", "has 2"][..],
+        ),
+    ] {
+        let request = json!({"verb": "check", "models": [model], "from": original});
+        let Ok(Request::Check(request)) = Request::from_json(request.to_string().as_bytes()) else {
+            panic!()
+        };
+        let inspector = Inspector::for_check(&request, &files);
+        let opened = open_with(&request.models[0], CompanionPaths::default(), &files).unwrap();
+        let result = inspector.check(&opened.model, &inspector.inspect(&opened).unwrap(), None, &files);
+        let found = result.findings.iter().find(|found| found.code() == FindingCode::DissipationForms);
+        let message = found.unwrap().message.to_string();
+        for part in parts {
+            assert!(message.contains(part), "{message}");
+        }
     }
+}
+
+/// The child of `fixtures/walks/`, whose spheres have moved with its feet by the factors of `make_walks.py`. Their radii are the human's.
+fn child_on_moved_spheres() -> String {
+    let moved = |line: &str| {
+        let place = line.trim().strip_prefix("<location>")?.strip_suffix("</location>")?;
+        let factors = [0.68, 0.63, 0.66];
+        let scaled = |(old, factor): (&str, f64)| (old.parse::<f64>().unwrap() * factor).to_string();
+        let place: Vec<String> = place.split(' ').zip(factors).map(scaled).collect();
+        Some(format!("<location>{}</location>", place.join(" ")))
+    };
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures/walks/child.osim");
+    let text = std::fs::read_to_string(path).unwrap();
+    text.lines().map(|line| moved(line).unwrap_or_else(|| line.to_owned()) + "\n").collect()
 }
 
 /// All models and meshes in `fixtures/`, by their paths in this folder.
