@@ -31,13 +31,19 @@ function all_elements_have_the_same_fields()
 end
 
 function missing_numbers_are_nan()
-    value = osimcontact.internal.json_value('{"model":"m","mass_kg":null,"limbs":null,"forces":[{"parameters":{"a":1},"set":null},{"parameters":{"b":null}}]}');
-    full = osimcontact.internal.complete_fields({value}, {osimcontact.internal.shapes('inspection')});
+    [values, numbers] = osimcontact.internal.json_values({['{"model":"m","mass_kg":null,"limbs":null,"forces":[{"parameters":{"a":1},"set":null},' ...
+        '{"parameters":{"b":null}}],"body_factors":[{"factors":[1.5,null,2],"sources":["joint",null,null],"by_source":{"scale file":[2]}},' ...
+        '{"sources":[null,null,null]}],"newer":[{"x":4}],"new":7}']});
+    full = osimcontact.internal.complete_fields(values, {osimcontact.internal.shapes('inspection')}, numbers);
     must(isnan(full.mass_kg) && isnan(full.gravity_m_s2) && isnan(full.contacts_mass_kg.value), 'numbers are not NaN');
     must(ischar(full.name) && isempty(full.name) && strcmp(full.model, 'm'), 'texts are not empty');
     must(isstruct(full.limbs) && isempty(full.limbs) && isfield(full.limbs, 'side'), 'a list has lost its fields');
     must(isnan(full.forces(1).set) && full.forces(1).parameters.a == 1 && isnan(full.forces(1).parameters.b), 'parameters differ');
     must(isnan(full.forces(2).parameters.a), 'the second force has no a');
+    must(isequal(isnan(full.body_factors(1).factors), [false; true; false]) && full.body_factors(1).factors(3) == 2, 'factors differ');
+    must(isequal({full.body_factors.sources}, {{'joint'; ''; ''}, {''; ''; ''}}), 'sources differ');
+    must(full.body_factors(1).by_source.scale_file == 2 && isnan(full.body_factors(2).by_source.scale_file), 'a name with a blank');
+    must(full.newer.x == 4 && full.new == 7, 'what is not known yet is lost');
 end
 
 function some_models_fail()
@@ -98,12 +104,12 @@ function columns_of_results()
     columns = osimcontact.internal.as_columns(none([]), shape, 'spheres');
     must(isempty(columns.radius_m) && isfield(columns, 'model'), 'no models differ');
     % One model that failed, and two that have one finding each: a list of one is a list.
-    full = {osimcontact.internal.json_value('{"model":"a","findings":[{"code":"floats"}]}'); ...
-        osimcontact.internal.json_value('{"model":"b","findings":[{"code":"floats"}],"error":[{"code":"x","line":3}]}')};
+    [full, numbers] = osimcontact.internal.json_values({'{"model":"a","findings":[{"code":"floats"}]}', ...
+        '{"model":"b","findings":[{"code":"floats"}],"error":[{"code":"x","line":3}]}'});
     failure = osimcontact.internal.shapes('failure');
     shape = osimcontact.internal.shapes('change');
     shape.error = {failure.error};
-    columns = osimcontact.internal.as_columns(osimcontact.internal.complete_fields(full, {shape}), shape);
+    columns = osimcontact.internal.as_columns(osimcontact.internal.complete_fields(full, {shape}, numbers), shape);
     must(isequal(columns.findings, [1; 1]) && isequal(columns.error_code, {''; 'x'}), 'findings and errors differ');
     must(isnan(columns.error_line(1)) && columns.error_line(2) == 3, 'lines differ');
 end
@@ -160,11 +166,13 @@ end
 
 function texts_of_json()
     text = ['"x\"y\\z\/\u0007\ud83d\ude00' native2unicode(uint8([195 169]), 'UTF-8') '"'];
-    value = osimcontact.internal.json_value(text);
+    values = osimcontact.internal.json_values({text});
     % U+1F600 is F0 9F 98 80 in UTF-8.
-    must(isequal(unicode2native(value, 'UTF-8'), uint8([double('x"y\z/') 7 240 159 152 128 195 169])), 'another text');
-    for broken = {'{"a":1', '[1,', '', '{"a":1}}', 'nonsense', '{"a":[true}'}
-        must_throw('osimcontact:programFailed', @() osimcontact.internal.json_value(broken{1}));
+    must(isequal(unicode2native(values{1}, 'UTF-8'), uint8([double('x"y\z/') 7 240 159 152 128 195 169])), 'another text');
+    values = osimcontact.internal.json_values({'{"a":true}', '{}', '{"b":[],"c":{"d":null}}'});
+    must(values{1}.a && isempty(fieldnames(values{2})) && isempty(values{3}.c.d), 'values without numbers');
+    for broken = {'{"a":1', '[1,', '', '{"a":1}}', 'nonsense', '{"a":[true}', '{"a":1.2.3}', '{"a":1-2}', '{"a":-}', '[1 2]'}
+        must_throw('osimcontact:programFailed', @() osimcontact.internal.json_values(broken));
     end
 end
 

@@ -5,14 +5,15 @@ function results = run_verb(verb, arguments)
     [request, as_table] = osimcontact.internal.make_request(declaration, arguments);
     [status, output, errors] = osimcontact.internal.call_program(request.text, request.input);
 
-    records = {};
+    lines = {};
     if declaration.gives_json
         lines = strsplit(output, sprintf('\n'));
         lines = lines(strncmp(lines, '{', 1));
-        records = cellfun(@osimcontact.internal.json_value, lines, 'UniformOutput', false);
     end
-    has_failed = cellfun(@(record) isfield(record, 'error'), records);
-    osimcontact.internal.throw_failures(status, errors, records, has_failed, request);
+    [records, numbers] = osimcontact.internal.json_values(lines);
+    failures = records(cellfun(@(record) isfield(record, 'error'), records));
+    failures = osimcontact.internal.complete_fields(failures, {osimcontact.internal.shapes('failure')}, numbers);
+    osimcontact.internal.throw_failures(status, errors, failures, numel(records), request);
 
     if ~declaration.gives_json
         results = struct('output', char(request.fields.output), 'text', strtrim(output));
@@ -22,7 +23,7 @@ function results = run_verb(verb, arguments)
         if ~isempty(declaration.without) && ~isfield(request.fields, declaration.without{1})
             result = declaration.without{2};
         end
-        [results, shape] = complete_results(records, osimcontact.internal.shapes(result));
+        [results, shape] = complete_results(records, numbers, osimcontact.internal.shapes(result));
         show_findings(verb, results);
     end
     if ~isequal(as_table, false)
@@ -30,19 +31,19 @@ function results = run_verb(verb, arguments)
     end
 end
 
-function [results, shape] = complete_results(records, shape)
-    for i = find(cellfun(@(record) isfield(record, 'errors') && isfield(shape, 'fit_errors'), records))
+function [results, shape] = complete_results(records, numbers, shape)
+    for i = find(cellfun(@(record) isfield(record, 'errors') && isfield(shape, 'fit_errors'), records))'
         records{i}.fit_errors = {records{i}.errors};
         records{i} = rmfield(records{i}, 'errors');
     end
     if isfield(shape, 'model')
         failure = osimcontact.internal.shapes('failure');
         shape.error = {failure.error};
-        for i = find(cellfun(@(record) isfield(record, 'error'), records))
+        for i = find(cellfun(@(record) isfield(record, 'error'), records))'
             records{i}.error = {records{i}.error};
         end
     end
-    results = osimcontact.internal.complete_fields(records(:), {shape});
+    results = osimcontact.internal.complete_fields(records, {shape}, numbers);
     if isfield(shape, 'figures') && iscell(shape.figures) && isfield(shape.figures{1}, 'given') && isscalar(results)
         % The quantities of a design sheet are fields, too.
         for figure = results.figures'

@@ -1,32 +1,33 @@
-function throw_failures(status, errors, records, has_failed, request)
+function throw_failures(status, errors, failures, count, request)
 %THROW_FAILURES Throw an error if a call has no results; show a warning if only some models failed.
-%   Options are named as they were typed. If a table was an argument, rows are counted as in MATLAB.
+%   FAILURES are those of COUNT results. Options are named as they were typed. If a table was an argument, rows are counted as
+%   in MATLAB.
 
     errors = matlab_text(strrep(errors, 'error: ', ''), request.typed);
-    failures = cellfun(@(record) translate_message(record, request.typed), records(has_failed), 'UniformOutput', false);
+    failures = cellfun(@(record) translate_message(record, request.typed), num2cell(failures), 'UniformOutput', false);
     if ~isempty(request.input)
         errors = matlab_rows(regexprep(errors, '^-: ', 'the table: '));
         failures = cellfun(@name_table, failures, 'UniformOutput', false);
     end
-    if status == 2 || (numel(records) == 1 && has_failed)
+    if status == 2 || (count == 1 && ~isempty(failures))
         if isempty(failures)
             error('osimcontact:usage', '%s', errors);
         end
         messages = cellfun(@failure_text, failures, 'UniformOutput', false);
         error(osimcontact.internal.identifier(failures{1}.error.code), '%s', strjoin(messages, sprintf('\n')));
-    elseif status == 1 && isempty(records) && ~isempty(errors)
+    elseif status == 1 && count == 0 && ~isempty(errors)
         error('osimcontact:failed', '%s', errors);
-    elseif status ~= 0 && (status ~= 1 || isempty(records))
+    elseif status ~= 0 && (status ~= 1 || count == 0)
         error('osimcontact:programFailed', 'the program ended with status %d: %s', status, errors);
-    elseif any(has_failed)
+    elseif ~isempty(failures)
         warning('osimcontact:someFailed', '%d of %d failed; the field error has the reason of each. The first: %s', ...
-            numel(failures), numel(records), failure_text(failures{1}));
+            numel(failures), count, failure_text(failures{1}));
     end
 end
 
 function text = failure_text(record)
     place = '';
-    if ~isempty(record.error.line)
+    if ~isnan(record.error.line)
         place = sprintf(':%d', [record.error.line, record.error.column]);
     end
     % Control characters in a name are shown as question marks.
@@ -57,11 +58,11 @@ function record = name_table(record)
     end
     record.model = 'the table';
     text = regexprep(record.error.message, '^-: ', '');
-    if ~isempty(record.error.line) && record.error.line > 1 && isempty(regexp(text, '^row \d', 'once'))
+    if record.error.line > 1 && isempty(regexp(text, '^row \d', 'once'))
         text = sprintf('row %d, %s', record.error.line, text);
     end
     record.error.message = matlab_rows(text);
-    record.error.line = [];
+    record.error.line = NaN;
 end
 
 function text = matlab_rows(text)
