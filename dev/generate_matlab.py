@@ -106,14 +106,14 @@ def help_of(verb, options, used):
         lines += comment(f"{field.name}: {described(verb, field, used)}{needed}", "  ", "      ")
     if RESULTS[verb.name]:
         lines += comment("AsTable: true gives a table with a row for each result; the name of a list in the results, such as "
-                         f"{quoted(a_list(RESULTS[verb.name]))}, one with a row for each of its entries. In GNU Octave, which has "
-                         "no tables, a struct of columns.", "  ", "      ")
+                         f"{quoted(a_list(RESULTS[verb.name]))}, one with a row for each of its entries. Columns without any value are "
+                         "left out. In GNU Octave, which has no tables, a struct of columns.", "  ", "      ")
         fields = top_fields(RESULTS[verb.name])
         lines += ["%"] + comment(f"RESULTS: an array of structs with the fields {', '.join(fields)}. "
                                  "docs/reference/json.md and schemas/ say what each holds; what is missing is NaN, '' or empty.")
     else:
         lines += ["%"] + comment("RESULTS: a struct with the fields output (the file) and text (remarks on it).")
-    lines += ["%"] + comment("Example:") + ["%       " + line for line in EXAMPLES[verb.name].strip().splitlines()]
+    lines += ["%"] + comment("Example, in the folder of the program's archive:") + ["%       " + line for line in EXAMPLES[verb.name].strip().splitlines()]
     lines += ["%"] + comment("See also " + ", ".join(f"osimcontact.{other}" for other in related_functions(verb.name)) + ".")
     return lines
 

@@ -43,19 +43,20 @@ NO_STANDARD_STREAMS = {
     " (or one, BODY=f)": "",
 }
 
-# Run as they stand by tests/matlab/run_tests.m, in a folder with models of these names.
+# Run as they stand by tests/matlab/test_verbs.m. The archive of the program has these fixtures.
 EXAMPLES = {
     "add": """
-change = osimcontact.add('no contacts.osim', 'from', 'human.osim', 'output', 'with contacts.osim');
+change = osimcontact.add('fixtures/feet/human_40000.osim', 'from', 'fixtures/table1/human_62kg_smooth_sphere.osim', 'output', 'with contacts.osim');
 {change.objects.name}""",
     "batch": """
-change = osimcontact.batch('masses.csv', 'output_dir', 'scaled');
+rows = {'model', 'target_mass'; 'fixtures/table1/human_62kg_smooth_sphere.osim', 500; 'fixtures/table1/emu_10_spheres_smooth_sphere.osim', 40};
+change = osimcontact.batch(rows, 'output_dir', 'scaled');
 {change.output}""",
     "check": """
-models = osimcontact.check({'human.osim', 'emu.osim'});
+models = osimcontact.check('fixtures/table1');
 for finding = models(1).findings', disp(finding.message), end""",
     "convert": """
-change = osimcontact.convert('human.osim', 'to', 'hunt-crossley', 'output', 'converted.osim');""",
+change = osimcontact.convert('fixtures/table1/human_62kg_smooth_sphere.osim', 'to', 'hunt-crossley', 'output', 'converted.osim');""",
     "design": """
 sheet = osimcontact.design('radius', 0.032, 'indentation', 0.16, 'mass', 62, 'spheres', 6);
 for figure = sheet.figures', fprintf('%s: %g %s\\n', figure.name, figure.value, figure.unit), end""",
@@ -66,37 +67,38 @@ plot(fall.series.time_s, fall.series.force_bw)""",
 topics = osimcontact.explain({'C.2', 'stiffness'});
 topics(1).formulas.formula""",
     "fit": """
-fitted = osimcontact.fit('measured.csv', 'radius', 0.01);
+fitted = osimcontact.fit('fixtures/measured/heel_pad.csv', 'radius', 0.01);
 fitted.stiffness.value""",
     "inspect": """
-models = osimcontact.inspect({'human.osim', 'emu.osim'});
+models = osimcontact.inspect('fixtures/table1');
 [models.mass_kg]
 models(1).forces(1).parameters.stiffness""",
     "motion": """
-walk = osimcontact.motion('walker.osim', 'walk.mot');
+walk = osimcontact.motion('fixtures/motion/walker.osim', 'fixtures/motion/walk.mot');
 fprintf('%.1f body weights\\n', [walk.feet.peak_n] / walk.weight_n)""",
     "note": """
-change = osimcontact.note('human.osim', 'contacts_mass', 62, 'output', 'noted.osim');""",
+change = osimcontact.note('fixtures/table1/human_62kg_smooth_sphere.osim', 'contacts_mass', 62, 'output', 'noted.osim');""",
     "plot": """
-change = osimcontact.plot('force', {'human.osim', 'emu.osim'}, 'output', 'force.pdf');""",
+models = {'fixtures/table1/human_62kg_smooth_sphere.osim', 'fixtures/table1/emu_10_spheres_smooth_sphere.osim'};
+change = osimcontact.plot('force', models, 'output', 'force.pdf');""",
     "presets": """
 preset = osimcontact.presets('falisse2022');
 preset.stiffness""",
     "remove": """
-change = osimcontact.remove('human.osim', 'output', 'bare.osim');""",
+change = osimcontact.remove('fixtures/table1/human_62kg_smooth_sphere.osim', 'output', 'bare.osim');""",
     "reproduce": """
 paper = osimcontact.reproduce();
 fprintf('%d of %d numbers agree\\n', paper.within_last_digit, paper.numbers)""",
     "rescale": """
-change = osimcontact.rescale('human.osim', 'TargetMass', 500, 'output', 'giant.osim');
+change = osimcontact.rescale('fixtures/table1/human_62kg_smooth_sphere.osim', 'TargetMass', 500, 'output', 'giant.osim');
 [change.changes.factor]""",
     "set": """
 factors = struct('stiffness', 'x2', 'dissipation', 1.5);
-change = osimcontact.set('human.osim', 'set', factors, 'output', 'stiffer.osim');""",
+change = osimcontact.set('fixtures/table1/human_62kg_smooth_sphere.osim', 'set', factors, 'output', 'stiffer.osim');""",
     "sweep": """
 grid = struct('stiffness', 'x0.1..x10/5', 'dissipation', [0.5 1 2]);
-variants = osimcontact.sweep('human.osim', 'grid', grid, 'output_dir', 'variants');
+variants = osimcontact.sweep('fixtures/table1/human_62kg_smooth_sphere.osim', 'grid', grid, 'output_dir', 'variants');
 variants.models""",
     "transfer": """
-change = osimcontact.transfer('emu.osim', 'from', 'falisse2022', 'output', 'emu as human.osim');""",
+change = osimcontact.transfer('fixtures/table1/emu_10_spheres_smooth_sphere.osim', 'from', 'falisse2022', 'output', 'emu as human.osim');""",
 }

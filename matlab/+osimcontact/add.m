@@ -95,15 +95,15 @@ function results = add(varargin)
 %         'implausible-scale' or 'tilted-foot' or 'unequal-feet' or 'wrong-afterwards' or 'many-models'
 %         or 'poor-fit' or a cell array of these.
 %     AsTable: true gives a table with a row for each result; the name of a list in the results, such as
-%         'changes', one with a row for each of its entries. In GNU Octave, which has no tables, a
-%         struct of columns.
+%         'changes', one with a row for each of its entries. Columns without any value are left out. In
+%         GNU Octave, which has no tables, a struct of columns.
 %
 %   RESULTS: an array of structs with the fields model, output, geometry_output, contacts_mass_kg,
 %   target_mass_kg, objects, changes, fit_errors, floor_up_m, findings, remarks, credits.
 %   docs/reference/json.md and schemas/ say what each holds; what is missing is NaN, '' or empty.
 %
-%   Example:
-%       change = osimcontact.add('no contacts.osim', 'from', 'human.osim', 'output', 'with contacts.osim');
+%   Example, in the folder of the program's archive:
+%       change = osimcontact.add('fixtures/feet/human_40000.osim', 'from', 'fixtures/table1/human_62kg_smooth_sphere.osim', 'output', 'with contacts.osim');
 %       {change.objects.name}
 %
 %   See also osimcontact.rescale, osimcontact.transfer, osimcontact.remove, osimcontact.convert,

@@ -11,8 +11,8 @@ function apply(model, planned)
 %
 %   Example (needs OpenSim's bindings for MATLAB):
 %       import org.opensim.modeling.*
-%       model = Model('human.osim');
-%       change = osimcontact.rescale('human.osim', 'TargetMass', 500, 'DryRun', true);
+%       model = Model('fixtures/table1/human_62kg_smooth_sphere.osim');
+%       change = osimcontact.rescale('fixtures/table1/human_62kg_smooth_sphere.osim', 'TargetMass', 500, 'DryRun', true);
 %       osimcontact.apply(model, change);
 %       model.initSystem();
 %

@@ -27,15 +27,16 @@ function results = batch(varargin)
 %         'implausible-scale' or 'tilted-foot' or 'unequal-feet' or 'wrong-afterwards' or 'many-models'
 %         or 'poor-fit' or a cell array of these.
 %     AsTable: true gives a table with a row for each result; the name of a list in the results, such as
-%         'changes', one with a row for each of its entries. In GNU Octave, which has no tables, a
-%         struct of columns.
+%         'changes', one with a row for each of its entries. Columns without any value are left out. In
+%         GNU Octave, which has no tables, a struct of columns.
 %
 %   RESULTS: an array of structs with the fields model, output, geometry_output, contacts_mass_kg,
 %   target_mass_kg, objects, changes, fit_errors, floor_up_m, findings, remarks, credits.
 %   docs/reference/json.md and schemas/ say what each holds; what is missing is NaN, '' or empty.
 %
-%   Example:
-%       change = osimcontact.batch('masses.csv', 'output_dir', 'scaled');
+%   Example, in the folder of the program's archive:
+%       rows = {'model', 'target_mass'; 'fixtures/table1/human_62kg_smooth_sphere.osim', 500; 'fixtures/table1/emu_10_spheres_smooth_sphere.osim', 40};
+%       change = osimcontact.batch(rows, 'output_dir', 'scaled');
 %       {change.output}
 %
 %   See also osimcontact.rescale, osimcontact.transfer, osimcontact.add, osimcontact.remove,

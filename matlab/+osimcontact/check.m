@@ -47,15 +47,15 @@ function results = check(varargin)
 %         'implausible-scale' or 'tilted-foot' or 'unequal-feet' or 'wrong-afterwards' or 'many-models'
 %         or 'poor-fit' or a cell array of these.
 %     AsTable: true gives a table with a row for each result; the name of a list in the results, such as
-%         'findings', one with a row for each of its entries. In GNU Octave, which has no tables, a
-%         struct of columns.
+%         'findings', one with a row for each of its entries. Columns without any value are left out. In
+%         GNU Octave, which has no tables, a struct of columns.
 %
 %   RESULTS: an array of structs with the fields model, counts, verdicts, findings, commands,
 %   similarity. docs/reference/json.md and schemas/ say what each holds; what is missing is NaN, '' or
 %   empty.
 %
-%   Example:
-%       models = osimcontact.check({'human.osim', 'emu.osim'});
+%   Example, in the folder of the program's archive:
+%       models = osimcontact.check('fixtures/table1');
 %       for finding = models(1).findings', disp(finding.message), end
 %
 %   See also osimcontact.sweep, osimcontact.inspect, osimcontact.drop_test, osimcontact.motion,

@@ -44,8 +44,8 @@ function results = drop_test(varargin)
 %         'implausible-scale' or 'tilted-foot' or 'unequal-feet' or 'wrong-afterwards' or 'many-models'
 %         or 'poor-fit' or a cell array of these.
 %     AsTable: true gives a table with a row for each result; the name of a list in the results, such as
-%         'series', one with a row for each of its entries. In GNU Octave, which has no tables, a struct
-%         of columns.
+%         'series', one with a row for each of its entries. Columns without any value are left out. In
+%         GNU Octave, which has no tables, a struct of columns.
 %
 %   RESULTS: an array of structs with the fields model, mass_kg, sphere_count, gravity_m_s2, height_m,
 %   duration_s, reference_radius_m, reference_time_s, final_relative_indentation,
@@ -54,7 +54,7 @@ function results = drop_test(varargin)
 %   restitution_approximate, contact_time_s, rebound_speed_m_s, compare, series. docs/reference/json.md
 %   and schemas/ say what each holds; what is missing is NaN, '' or empty.
 %
-%   Example:
+%   Example, in the folder of the program's archive:
 %       fall = osimcontact.drop_test('falisse2022', 'height', 'x0.5');
 %       plot(fall.series.time_s, fall.series.force_bw)
 %

@@ -8,15 +8,15 @@ function results = explain(varargin)
 %
 %   Options, each a NAME and a VALUE (target_mass and TargetMass are the same):
 %     AsTable: true gives a table with a row for each result; the name of a list in the results, such as
-%         'formulas', one with a row for each of its entries. In GNU Octave, which has no tables, a
-%         struct of columns.
+%         'formulas', one with a row for each of its entries. Columns without any value are left out. In
+%         GNU Octave, which has no tables, a struct of columns.
 %
 %   RESULTS: an array of structs with the fields kind, label, title, formulas, symbols, source, used,
 %   name, unit, equation, limit, what, trap, code, severity, checked, why, advice, fix, why_no_fix,
 %   means, way_out. docs/reference/json.md and schemas/ say what each holds; what is missing is NaN, ''
 %   or empty.
 %
-%   Example:
+%   Example, in the folder of the program's archive:
 %       topics = osimcontact.explain({'C.2', 'stiffness'});
 %       topics(1).formulas.formula
 %

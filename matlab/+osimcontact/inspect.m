@@ -35,16 +35,16 @@ function results = inspect(varargin)
 %         'implausible-scale' or 'tilted-foot' or 'unequal-feet' or 'wrong-afterwards' or 'many-models'
 %         or 'poor-fit' or a cell array of these.
 %     AsTable: true gives a table with a row for each result; the name of a list in the results, such as
-%         'spheres', one with a row for each of its entries. In GNU Octave, which has no tables, a
-%         struct of columns.
+%         'spheres', one with a row for each of its entries. Columns without any value are left out. In
+%         GNU Octave, which has no tables, a struct of columns.
 %
 %   RESULTS: an array of structs with the fields model, document_version, name, mass_kg, gravity_m_s2,
 %   contacts_mass_kg, note, limbs, stance_limbs, spheres_per_limb, limbs_unknown, spheres, forces,
 %   findings, bodies, body_factors, known_contacts, similarity, figures, standing, why_no_standing.
 %   docs/reference/json.md and schemas/ say what each holds; what is missing is NaN, '' or empty.
 %
-%   Example:
-%       models = osimcontact.inspect({'human.osim', 'emu.osim'});
+%   Example, in the folder of the program's archive:
+%       models = osimcontact.inspect('fixtures/table1');
 %       [models.mass_kg]
 %       models(1).forces(1).parameters.stiffness
 %

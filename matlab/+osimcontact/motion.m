@@ -47,16 +47,16 @@ function results = motion(varargin)
 %         a text.
 %     model: The model a standalone ForceSet belongs to, for its masses and joints. Takes a text.
 %     AsTable: true gives a table with a row for each result; the name of a list in the results, such as
-%         'feet.spheres', one with a row for each of its entries. In GNU Octave, which has no tables, a
-%         struct of columns.
+%         'feet.spheres', one with a row for each of its entries. Columns without any value are left
+%         out. In GNU Octave, which has no tables, a struct of columns.
 %
 %   RESULTS: an array of structs with the fields model, motion, frames, from_s, to_s, mass_kg,
 %   gravity_m_s2, weight_n, stride_mean_n, measured_stride_mean_n, double_support, peak_n, comparison,
 %   feet, consistency, remarks. docs/reference/json.md and schemas/ say what each holds; what is missing
 %   is NaN, '' or empty.
 %
-%   Example:
-%       walk = osimcontact.motion('walker.osim', 'walk.mot');
+%   Example, in the folder of the program's archive:
+%       walk = osimcontact.motion('fixtures/motion/walker.osim', 'fixtures/motion/walk.mot');
 %       fprintf('%.1f body weights\n', [walk.feet.peak_n] / walk.weight_n)
 %
 %   See also osimcontact.sweep, osimcontact.inspect, osimcontact.check, osimcontact.drop_test,

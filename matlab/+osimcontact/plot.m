@@ -73,8 +73,9 @@ function results = plot(varargin)
 %
 %   RESULTS: a struct with the fields output (the file) and text (remarks on it).
 %
-%   Example:
-%       change = osimcontact.plot('force', {'human.osim', 'emu.osim'}, 'output', 'force.pdf');
+%   Example, in the folder of the program's archive:
+%       models = {'fixtures/table1/human_62kg_smooth_sphere.osim', 'fixtures/table1/emu_10_spheres_smooth_sphere.osim'};
+%       change = osimcontact.plot('force', models, 'output', 'force.pdf');
 %
 %   See also osimcontact.sweep, osimcontact.inspect, osimcontact.check, osimcontact.drop_test,
 %   osimcontact.motion, osimcontact.reproduce, osimcontact.presets, osimcontact.explain,

@@ -8,7 +8,7 @@ function columns = read_table(file, varargin)
 %   osimcontact.read_table(FILE, 'AsTable', true) gives a table; in GNU Octave, which has no tables, the struct of columns.
 %
 %   Example:
-%       result = osimcontact.plot('force', 'human.osim', 'output', 'force.svg', 'data', 'force.csv');
+%       result = osimcontact.plot('force', 'fixtures/table1/human_62kg_smooth_sphere.osim', 'output', 'force.svg', 'data', 'force.csv');
 %       columns = osimcontact.read_table('force.csv');
 %       fieldnames(columns)
 %

@@ -27,15 +27,15 @@ function results = remove(varargin)
 %         'implausible-scale' or 'tilted-foot' or 'unequal-feet' or 'wrong-afterwards' or 'many-models'
 %         or 'poor-fit' or a cell array of these.
 %     AsTable: true gives a table with a row for each result; the name of a list in the results, such as
-%         'changes', one with a row for each of its entries. In GNU Octave, which has no tables, a
-%         struct of columns.
+%         'changes', one with a row for each of its entries. Columns without any value are left out. In
+%         GNU Octave, which has no tables, a struct of columns.
 %
 %   RESULTS: an array of structs with the fields model, output, geometry_output, contacts_mass_kg,
 %   target_mass_kg, objects, changes, fit_errors, floor_up_m, findings, remarks, credits.
 %   docs/reference/json.md and schemas/ say what each holds; what is missing is NaN, '' or empty.
 %
-%   Example:
-%       change = osimcontact.remove('human.osim', 'output', 'bare.osim');
+%   Example, in the folder of the program's archive:
+%       change = osimcontact.remove('fixtures/table1/human_62kg_smooth_sphere.osim', 'output', 'bare.osim');
 %
 %   See also osimcontact.rescale, osimcontact.transfer, osimcontact.add, osimcontact.convert,
 %   osimcontact.design, osimcontact.set, osimcontact.note, osimcontact.batch, osimcontact.fit,

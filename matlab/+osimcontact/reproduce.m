@@ -6,13 +6,13 @@ function results = reproduce(varargin)
 %     output_dir: Write table1.csv, fig4.svg and fig-c5.svg into this folder. Takes a text.
 %     force: Replace existing files. Takes true or false.
 %     AsTable: true gives a table with a row for each result; the name of a list in the results, such as
-%         'table1.values', one with a row for each of its entries. In GNU Octave, which has no tables, a
-%         struct of columns.
+%         'table1.values', one with a row for each of its entries. Columns without any value are left
+%         out. In GNU Octave, which has no tables, a struct of columns.
 %
 %   RESULTS: an array of structs with the fields table1, numbers, within_last_digit, fig1.
 %   docs/reference/json.md and schemas/ say what each holds; what is missing is NaN, '' or empty.
 %
-%   Example:
+%   Example, in the folder of the program's archive:
 %       paper = osimcontact.reproduce();
 %       fprintf('%d of %d numbers agree\n', paper.within_last_digit, paper.numbers)
 %

@@ -40,16 +40,16 @@ function results = set(varargin)
 %         a text.
 %     model: The model a standalone ForceSet belongs to, for its masses and joints. Takes a text.
 %     AsTable: true gives a table with a row for each result; the name of a list in the results, such as
-%         'changes', one with a row for each of its entries. In GNU Octave, which has no tables, a
-%         struct of columns.
+%         'changes', one with a row for each of its entries. Columns without any value are left out. In
+%         GNU Octave, which has no tables, a struct of columns.
 %
 %   RESULTS: an array of structs with the fields model, output, geometry_output, contacts_mass_kg,
 %   target_mass_kg, objects, changes, fit_errors, floor_up_m, findings, remarks, credits.
 %   docs/reference/json.md and schemas/ say what each holds; what is missing is NaN, '' or empty.
 %
-%   Example:
+%   Example, in the folder of the program's archive:
 %       factors = struct('stiffness', 'x2', 'dissipation', 1.5);
-%       change = osimcontact.set('human.osim', 'set', factors, 'output', 'stiffer.osim');
+%       change = osimcontact.set('fixtures/table1/human_62kg_smooth_sphere.osim', 'set', factors, 'output', 'stiffer.osim');
 %
 %   See also osimcontact.rescale, osimcontact.transfer, osimcontact.add, osimcontact.remove,
 %   osimcontact.convert, osimcontact.design, osimcontact.note, osimcontact.batch, osimcontact.fit,

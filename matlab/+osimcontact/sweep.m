@@ -59,16 +59,16 @@ function results = sweep(varargin)
 %         'implausible-scale' or 'tilted-foot' or 'unequal-feet' or 'wrong-afterwards' or 'many-models'
 %         or 'poor-fit' or a cell array of these.
 %     AsTable: true gives a table with a row for each result; the name of a list in the results, such as
-%         'error', one with a row for each of its entries. In GNU Octave, which has no tables, a struct
-%         of columns.
+%         'error', one with a row for each of its entries. Columns without any value are left out. In
+%         GNU Octave, which has no tables, a struct of columns.
 %
 %   RESULTS: an array of structs with the fields model, manifest, folder, points, file, models,
 %   done_before, failed. docs/reference/json.md and schemas/ say what each holds; what is missing is
 %   NaN, '' or empty.
 %
-%   Example:
+%   Example, in the folder of the program's archive:
 %       grid = struct('stiffness', 'x0.1..x10/5', 'dissipation', [0.5 1 2]);
-%       variants = osimcontact.sweep('human.osim', 'grid', grid, 'output_dir', 'variants');
+%       variants = osimcontact.sweep('fixtures/table1/human_62kg_smooth_sphere.osim', 'grid', grid, 'output_dir', 'variants');
 %       variants.models
 %
 %   See also osimcontact.inspect, osimcontact.check, osimcontact.drop_test, osimcontact.motion,

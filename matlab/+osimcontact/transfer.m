@@ -82,15 +82,15 @@ function results = transfer(varargin)
 %         a text.
 %     model: The model a standalone ForceSet belongs to, for its masses and joints. Takes a text.
 %     AsTable: true gives a table with a row for each result; the name of a list in the results, such as
-%         'changes', one with a row for each of its entries. In GNU Octave, which has no tables, a
-%         struct of columns.
+%         'changes', one with a row for each of its entries. Columns without any value are left out. In
+%         GNU Octave, which has no tables, a struct of columns.
 %
 %   RESULTS: an array of structs with the fields model, output, geometry_output, contacts_mass_kg,
 %   target_mass_kg, objects, changes, fit_errors, floor_up_m, findings, remarks, credits.
 %   docs/reference/json.md and schemas/ say what each holds; what is missing is NaN, '' or empty.
 %
-%   Example:
-%       change = osimcontact.transfer('emu.osim', 'from', 'falisse2022', 'output', 'emu as human.osim');
+%   Example, in the folder of the program's archive:
+%       change = osimcontact.transfer('fixtures/table1/emu_10_spheres_smooth_sphere.osim', 'from', 'falisse2022', 'output', 'emu as human.osim');
 %
 %   See also osimcontact.rescale, osimcontact.add, osimcontact.remove, osimcontact.convert,
 %   osimcontact.design, osimcontact.set, osimcontact.note, osimcontact.batch, osimcontact.fit,

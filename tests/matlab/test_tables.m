@@ -21,7 +21,17 @@ function every_list_is_a_table()
         for list = calls{i, 3}
             columns = columns_of(calls{i, 1}, [calls{i, 2}, {'AsTable', list{1}}]);
             must(numel(fieldnames(columns)) > 1 && height(columns) >= 0, '%s: %s', calls{i, 1}, list{1});
+            no_column_is_empty(columns);
         end
+        no_column_is_empty(whole);
+    end
+end
+
+function no_column_is_empty(columns)
+    for name = fieldnames(columns)'
+        column = columns.(name{1});
+        is_empty = (iscell(column) && all(cellfun(@isempty, column))) || (isnumeric(column) && all(isnan(column(:))));
+        must(isempty(column) || ~is_empty, '%s has no value', name{1});
     end
 end
 

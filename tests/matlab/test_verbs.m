@@ -48,9 +48,13 @@ function helps_name_every_option()
 end
 
 function examples_run_as_they_stand()
+    mkdir('fixtures');
+    for folder = {'table1', 'feet', 'measured', 'motion'}
+        copyfile(fullfile(root(), 'fixtures', folder{1}), fullfile('fixtures', folder{1}));
+    end
     functions = functions_of_verbs();
     for i = 1:numel(functions)
-        example = regexp(help_of(functions{i}), 'Example:\n(.*?)\n *\n', 'tokens', 'once');
+        example = regexp(help_of(functions{i}), 'Example[^\n]*:\n(.*?)\n *\n', 'tokens', 'once');
         must(~isempty(strfind(example{1}, ['osimcontact.' functions{i} '('])), 'the example of %s is of another one', functions{i});
         run_example(functions{i}, strrep(example{1}, 'plot(fall', 'isequal(fall'));
     end

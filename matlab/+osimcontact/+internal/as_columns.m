@@ -1,9 +1,10 @@
 function columns = as_columns(results, shape, list)
 %AS_COLUMNS A struct array as one struct of columns: struct2table makes a table of it, which can be written to a file.
 %   Numbers are numbers, texts are cells. Objects inside are columns of their own: contacts_mass_kg.value is
-%   contacts_mass_kg_value. A list becomes the number of its entries; a list of texts becomes one text. SHAPE is that of
-%   the results: see shapes.m. With the name of a LIST, such as 'changes', the rows are its entries in all results, after a
-%   column with the model of each. 'feet.spheres' is a list in the entries of a list: a column 'feet' has the names of these.
+%   contacts_mass_kg_value. A list becomes the number of its entries; a list of texts becomes one text. Columns without any
+%   value are left out. SHAPE is that of the results: see shapes.m. With the name of a LIST, such as 'changes', the rows are its
+%   entries in all results, after a column with the model of each. 'feet.spheres' is a list in the entries of a list: a column
+%   'feet' has the names of these.
 
     columns = struct();
     rows = results(:);
@@ -28,7 +29,18 @@ function columns = as_columns(results, shape, list)
             [columns, rows] = samples(columns, rows);
         end
     end
-    columns = add_columns(columns, '', rows, shape);
+    columns = without_empty(add_columns(columns, '', rows, shape));
+end
+
+function columns = without_empty(columns)
+    % A table without rows keeps its columns: which of them would have values is not known.
+    for name = fieldnames(columns)'
+        column = columns.(name{1});
+        is_empty = iscell(column) && all(cellfun('isempty', column)) || isfloat(column) && all(isnan(column(:)));
+        if is_empty && ~isempty(column) && numel(fieldnames(columns)) > 1
+            columns = rmfield(columns, name{1});
+        end
+    end
 end
 
 function [columns, rows, shape] = entries(columns, rows, kind, name)
