@@ -3,7 +3,8 @@
     python3 dev/release/build_wheel.py --program PATH [--target TRIPLE] [--out FOLDER]
     python3 dev/release/build_wheel.py --sdist [--out FOLDER]
 
-On Linux the module runs wherever glibc is 2.17 or later (manylinux2014): zig links it. Writes NAME and NAME.sha256.
+On Linux the module runs wherever glibc is 2.17 or later (manylinux2014), with a target of musl where musl is 1.2 or later (Alpine): zig
+links it. The same sources give the same file, byte for byte. Writes NAME and NAME.sha256.
 Needs Python 3.10, pip and Rust.
 """
 
@@ -42,7 +43,9 @@ def main():
             environment["CARGO_BUILD_TARGET"] = arguments.target
         if arguments.program:
             environment["OSIM_WHEEL_PROGRAM"] = str(arguments.program.resolve())
-        settings = ["--config-setting=build-args=--zig --compatibility manylinux2014"] if linux else []
+        environment["SOURCE_DATE_EPOCH"] = str(building.time_of_sources())
+        libc = "musllinux_1_2" if "musl" in (arguments.target or "") else "manylinux2014"
+        settings = [f"--config-setting=build-args=--zig --compatibility {libc}"] if linux else []
         kind = "--sdist" if arguments.sdist else "--wheel"
         with tempfile.TemporaryDirectory() as made:
             command = [python, "-m", "build", "--no-isolation", kind, *settings, "--outdir", made, ROOT]

@@ -1,9 +1,18 @@
-"""Functions of the builders in this folder: they build the command and write the files that people download."""
+"""Builds everything that people download for this machine, each file with its checksum; what the builders in this folder share.
 
+    python3 dev/release/building.py [--out FOLDER] [--again]
+
+Writes the archive, the package for MATLAB, the page, the wheel, the sdist, and SHA256SUMS. With --again all is compiled a second time, in a
+clone, and must be the same, byte for byte. Needs what the builders need: Python 3.10, pip, Rust, and what `dev/install.sh web` installs.
+"""
+
+import argparse
 import hashlib
 import os
 import re
 import subprocess
+import sys
+import tempfile
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -26,8 +35,13 @@ def version():
 
 def time_of_sources():
     """The time of the sources, in seconds since 1970. With it, not with the time of the build, the same sources give the same bytes."""
+    if os.environ.get("SOURCE_DATE_EPOCH"):
+        return int(os.environ["SOURCE_DATE_EPOCH"])
+    if not (ROOT / ".git").exists():
+        # An unpacked sdist, whose files have it.
+        return int((ROOT / "Cargo.toml").stat().st_mtime)
     last = ["git", "log", "-1", "--format=%ct"]
-    return int(os.environ.get("SOURCE_DATE_EPOCH") or subprocess.run(last, cwd=ROOT, check=True, stdout=subprocess.PIPE).stdout)
+    return int(subprocess.run(last, cwd=ROOT, check=True, stdout=subprocess.PIPE).stdout)
 
 
 def write(path, data):
@@ -69,3 +83,46 @@ def program(target, target_directory, *, static, names=False):
     flags += [] if names else ["-C", "strip=symbols"]
     subprocess.run([*command, "--", *flags], cwd=ROOT, check=True, env=environment(target))
     return Path(target_directory) / target / "release" / (COMMAND + (".exe" if "windows" in target else ""))
+
+
+def build_everything(root, out):
+    """Runs each builder of the project in `root`; returns the lines of all checksums."""
+    def run(script, *words):
+        command = [sys.executable, root / "dev/release" / script, *words, "--out", out]
+        print("+", *command[1:], flush=True)
+        subprocess.run(command, cwd=root, check=True)
+
+    for old in out.glob("*.sha256"):
+        old.unlink()
+    with tempfile.TemporaryDirectory() as folder:
+        run("build_archive.py", "--program", folder)
+        (built,) = Path(folder).iterdir()
+        run("build_wheel.py", "--program", built)
+    run("build_wheel.py", "--sdist")
+    run("build_matlab.py")
+    run("build_page.py")
+    return sorted(path.read_text(encoding="utf-8") for path in out.glob("*.sha256"))
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--out", type=Path, default=ROOT / "target/dist", help="folder [default: target/dist]")
+    parser.add_argument("--again", action="store_true", help="compile all a second time and compare")
+    arguments = parser.parse_args()
+    out = arguments.out.resolve()
+    sums = build_everything(ROOT, out)
+    (out / "SHA256SUMS").write_bytes("".join(sums).encode())
+    print(f"{out / 'SHA256SUMS'}: {len(sums)} files")
+    if arguments.again:
+        with tempfile.TemporaryDirectory() as folder:
+            clone = Path(folder) / "clone"
+            subprocess.run(["git", "clone", "--quiet", ROOT, clone], check=True)
+            subprocess.run([clone / "dev/install.sh", "web"], cwd=clone, check=True)
+            differ = set(sums) ^ set(build_everything(clone, Path(folder) / "dist"))
+        if differ:
+            sys.exit("not the same a second time:\n" + "".join(sorted(differ)))
+        print("the same a second time, byte for byte")
+
+
+if __name__ == "__main__":
+    main()

@@ -37,7 +37,8 @@ def licences(metadata, root, target):
     head.append("Arimo 1.33: OFL-1.1")
     texts.setdefault(font.read_text(encoding="utf-8").strip(), []).append("Arimo 1.33 (OFL.txt)")
     head.append("\nThe standard library of Rust: MIT OR Apache-2.0 (https://www.rust-lang.org).")
-    if target.endswith("linux-gnu"):
+    # A wheel for musl has the archive's program, too.
+    if "-linux-" in target:
         head.append("The GNU C Library: LGPL-2.1-or-later (https://www.gnu.org/software/libc). The program's sources are\n"
                     "open: dev/release/build_archive.py links them with any other version of it.")
     if target.endswith("linux-musl"):

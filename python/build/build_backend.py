@@ -5,10 +5,10 @@ A command that starts through Python would need 50 ms for that alone, so the whe
 
 import json
 import os
+import re
 import shutil
 import subprocess
 import sys
-import tarfile
 from pathlib import Path
 
 import maturin
@@ -17,6 +17,7 @@ TOP = Path(__file__).resolve().parent.parent.parent
 sys.path.insert(0, str(TOP / "dev/release"))
 
 import building  # noqa: E402
+from build_archive import tar_gz  # noqa: E402
 from licences import licences  # noqa: E402
 
 # Where maturin looks for what goes beside the modules: tool.maturin.data in pyproject.toml.
@@ -50,18 +51,21 @@ def build_editable(wheel_directory, config_settings=None, metadata_directory=Non
 
 
 def build_sdist(sdist_directory, config_settings=None):
-    """Everything that is under version control: the crates, and what tests them."""
+    """Everything that is under version control, or that an unpacked sdist has: the crates, and what tests them."""
     metadata = Path(sdist_directory) / "metadata"
     folder = prepare_metadata_for_build_wheel(str(metadata), config_settings)
     name = folder.removesuffix(".dist-info")
-    listed = subprocess.run(["git", "ls-files", "-z"], cwd=TOP, check=True, capture_output=True).stdout
-    files = sorted(file for file in listed.decode().split("\0") if file)
-    with tarfile.open(Path(sdist_directory) / f"{name}.tar.gz", "w:gz", format=tarfile.PAX_FORMAT) as archive:
-        archive.add(metadata / folder / "METADATA", f"{name}/PKG-INFO")
-        for file in files:
-            archive.add(TOP / file, f"{name}/{file}", recursive=False)
-        # Its metadata names the licences, so they are in it.
-        archive.add(LICENCES, f"{name}/{LICENCES.relative_to(TOP).as_posix()}")
+    if (TOP / ".git").exists():
+        listed = subprocess.run(["git", "ls-files", "-z"], cwd=TOP, check=True, capture_output=True).stdout
+        names = [file for file in listed.decode().split("\0") if file]
+    else:
+        names = [path.relative_to(TOP).as_posix() for path in TOP.rglob("*") if path.is_file()]
+        names = [file for file in names if not re.match(r"target/|(.*/)?__pycache__/", file)]
+    files = {file: ((TOP / file).read_bytes(), os.access(TOP / file, os.X_OK)) for file in names}
+    files["PKG-INFO"] = ((metadata / folder / "METADATA").read_bytes(), False)
+    # Its metadata names the licences, so they are in it.
+    files[LICENCES.relative_to(TOP).as_posix()] = (LICENCES.read_bytes(), False)
+    (Path(sdist_directory) / f"{name}.tar.gz").write_bytes(tar_gz(files, name, building.time_of_sources()))
     shutil.rmtree(metadata)
     return f"{name}.tar.gz"
 
