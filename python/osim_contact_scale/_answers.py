@@ -72,6 +72,8 @@ class Answer(NamedValues, Mapping[str, Any]):
         kind, text = type(self).__name__, ""
         for name in names:
             value = values[name]
+            # A fitted parameter with its uncertainty.
+            value = value.get("value") if isinstance(value, dict) else value
             if name == "schema_version" or not isinstance(value, (str, int, float)):
                 continue
             # A long text, such as a source, is shortened, so that the others fit.
@@ -147,6 +149,7 @@ class Fit(Answer, FitFields):
     """Contact parameters from a measurement."""
 
     __slots__ = ()
+    _FIRST = ("stiffness", "dissipation", "onset_m", "radius_m", "r_squared")
 
     def frame(self) -> pd.DataFrame:
         """A row for each parameter: `name`, `value`, `unit`, and its uncertainty: `standard_error`, `low_95`, `high_95`.
