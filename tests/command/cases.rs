@@ -413,9 +413,10 @@ fn other_columns_of_a_table_are_in_the_summary() {
     dir.write("t.csv", dir.text("t.csv").replace("31", "32"));
     dir.run("batch t.csv -d out --summary s.csv --resume").succeeded().wrote(&["s.csv"]);
     assert!(dir.text("s.csv").contains(",P01,32\n"));
-    for (header, words) in
-        [("model,target-mas", "did you mean 'target-mass'?"), ("model,status", "a column 'status' itself")]
-    {
+    for (header, words) in [
+        ("model,target-mas", "did you mean 'target-mass'?"),
+        ("model,status", "the summary has a column 'status' of its own"),
+    ] {
         dir.write("t.csv", format!("{header}\nm.osim,80\n"));
         dir.run("batch t.csv -d out2").usage_error().wrote_nothing().says(&[words]);
     }

@@ -116,7 +116,7 @@ fn a_finished_part_is_skipped() {
 fn parts_of_another_model_are_replaced() {
     let dir = sweep_in_two_shares();
     replace_by_heavier_model(&dir);
-    finish_sweep(&dir, "6 models written; what");
+    finish_sweep(&dir, "6 models written; their values");
     // Also by other parts, which read the tables of these.
     let dir = sweep_in_two_shares();
     replace_by_heavier_model(&dir);

@@ -76,7 +76,7 @@ fn resume_json(dir: &TestDir) -> serde_json::Value {
 #[test]
 fn a_first_run_may_have_resume() {
     let dir = dir_with_emu();
-    resume_sweep(&dir).succeeded().says(&["6 models written; what"]);
+    resume_sweep(&dir).succeeded().says(&["6 models written; their values"]);
     assert_undisturbed(&dir, CALL);
 }
 
@@ -116,10 +116,10 @@ fn models_that_no_table_lists_are_kept() {
 fn another_model_or_other_settings_write_all_again() {
     let dir = finished_sweep();
     replace_by_heavier_model(&dir);
-    resume_sweep(&dir).succeeded().says(&["6 models written; what"]);
+    resume_sweep(&dir).succeeded().says(&["6 models written; their values"]);
     assert_undisturbed(&dir, CALL);
     let call = format!("{CALL} --no-note");
-    dir.run(&format!("{call} --resume")).succeeded().says(&["6 models written; what"]);
+    dir.run(&format!("{call} --resume")).succeeded().says(&["6 models written; their values"]);
     // Settings that change no file write nothing again.
     dir.run(&format!("{call} --resume --jobs 1")).succeeded().wrote_nothing().says(&["6 done before"]);
     assert_undisturbed(&dir, &call);
