@@ -5,6 +5,7 @@ import io
 import itertools
 import os
 import random
+import re
 import subprocess
 from pathlib import Path
 
@@ -212,14 +213,34 @@ def test_public_recordings_are_followed_like_opensim(model, motion, tmp_path):
     assert compared(rows(model, motion), theirs, times) > 0
 
 
-@pytest.mark.parametrize(("model", "motion"), list(trials()))
-def test_a_corrected_motion_has_the_forces_of_the_plates_in_opensim(model, motion, tmp_path):
-    """AnalyzeTool reads the written file, and its forces are those that the correction reports."""
+def with_contacts_and_plates(model, folder):
+    """The model, with contacts, the plates, and their ExternalLoads."""
     (plates,) = [path for path in model.parent.glob("*[gG][rR][fF]*") if path.suffix != ".xml"]
     (loads,) = model.parent.glob("*[gG][rR][fF]*.xml")
     if not command.inspect(model).report["forces"]:
-        command.run("add", model, "--from", "falisse2022", "-o", tmp_path / "with.osim")
-        model = tmp_path / "with.osim"
+        command.run("add", model, "--from", "falisse2022", "-o", folder / "with.osim")
+        model = folder / "with.osim"
+    return model, plates, loads
+
+
+@pytest.mark.parametrize("late_ms", [0, 20, 50, 100])
+@pytest.mark.parametrize(("model", "motion"), list(trials()))
+def test_late_plates_are_said_to_be_late(model, motion, late_ms, tmp_path):
+    model, plates, loads = with_contacts_and_plates(model, tmp_path)
+    times, columns, _ = table(plates)
+    late = tmp_path / "late.sto"
+    lines = ["late", "endheader", "\t".join(["time", *columns])]
+    lines += ["\t".join(map(repr, row)) for row in zip([time + late_ms / 1000 for time in times], *columns.values(), strict=True)]
+    late.write_text("\n".join(lines) + "\n", encoding="utf-8")
+    why = command.run("motion", model, motion, "--plates", late, "--loads", loads, "--correct", tmp_path / "corrected.sto").report["consistency"]["why"]
+    said = re.search(r"the plates are (\d+) ms later", why)
+    assert (said is None) if late_ms == 0 else abs(int(said[1]) - late_ms) <= 5, why
+
+
+@pytest.mark.parametrize(("model", "motion"), list(trials()))
+def test_a_corrected_motion_has_the_forces_of_the_plates_in_opensim(model, motion, tmp_path):
+    """AnalyzeTool reads the written file, and its forces are those that the correction reports."""
+    model, plates, loads = with_contacts_and_plates(model, tmp_path)
     corrected = tmp_path / "corrected.sto"
     result = command.run("motion", model, motion, "--plates", plates, "--loads", loads, "--correct", corrected).report
     residuals_agree(model, corrected, loads, result, tmp_path)

@@ -206,7 +206,7 @@ pub struct InverseDynamics {
 /// Joints whose moments are compared: parts of the names of coordinates or joints.
 const COMPARED_JOINTS: [&str; 3] = ["hip", "knee", "ankle"];
 /// Frames at each end that do not count, because the accelerations of a spline end badly.
-const END_FRAMES: usize = 3;
+pub(super) const END_FRAMES: usize = 3;
 
 impl InverseDynamics {
     /// Compares the motions before and after a correction, each with its contacts.

@@ -4,7 +4,7 @@ use gcv_spline::GcvSpline;
 use osim_model::messages::named;
 use osim_model::{DVec3, Model};
 
-use super::dynamics::Masses;
+use super::dynamics::{END_FRAMES, Masses};
 use super::figures::{CorrectionFigures, FootErrors};
 use super::unknowns::CorrectionOptions;
 use crate::comparison::percentile;
@@ -43,6 +43,11 @@ const LOADED_SHARE: f64 = 0.2;
 const MOST_DELAY_S: f64 = 0.15;
 /// The smallest delay of the plates that counts, s.
 const LEAST_DELAY_S: f64 = 0.015;
+/// The width of the smoothing before a delay is looked for (a standard deviation), s: recordings at 60 Hz tremble.
+const SMOOTHING_S: f64 = 0.012;
+/// The least correlation of inertia and force, and the least share of the force in the inertia, that show a delay. They are lower
+/// where steps are not on the plates, and where the motion jerks.
+const LEAST_INERTIA: f64 = 0.5;
 
 impl Mismatch {
     /// Whether plates and motion cannot be compared at all.
@@ -121,11 +126,13 @@ pub fn mismatches(
         }
     }
     if found.is_empty() {
-        let heights = Masses::new(model)?.centre_along(recording);
-        let heights: Vec<f64> = heights.iter().map(|at| at.dot(normal)).collect();
-        let spline = GcvSpline::from_data(&recording.time_s, &heights).ok();
-        let inertia = spline.map(|spline| spline.derivative(&recording.time_s, 2));
-        let late_s = inertia.and_then(|inertia| delay_s(&recording.time_s, &inertia, &total));
+        let kg = weight_n / DVec3::from(model.gravity_m_s2.unwrap_or_default()).length();
+        let centres_kg_m: Vec<DVec3> =
+            Masses::new(model)?.centre_along(recording).into_iter().map(|at| kg * at).collect();
+        let inertia_n = accelerations(&recording.time_s, &centres_kg_m);
+        let force_n: Vec<Option<DVec3>> =
+            measured.total.iter().map(|wrench| Some(wrench.as_ref()?.force_n)).collect();
+        let late_s = delay_s(&recording.time_s, &inertia_n, &force_n);
         let late_s = late_s.filter(|late_s| late_s.abs() > LEAST_DELAY_S);
         found.extend(late_s.map(|late_s| Mismatch::Delay { late_s }));
     }
@@ -143,27 +150,71 @@ fn level_distance_m(point_m: DVec3, spheres: &[DVec3], normal: DVec3) -> f64 {
     (away - part * along).length()
 }
 
-/// The time by which the plates' force is later than the inertia of the whole body, s: at the highest correlation.
-fn delay_s(time_s: &[f64], inertia: &[f64], force: &[f64]) -> Option<f64> {
+/// Second derivatives of splines through `values`; `None` at the ends, where they are bad.
+fn accelerations(time_s: &[f64], values: &[DVec3]) -> Vec<Option<DVec3>> {
+    let times = time_s.to_vec();
+    let mut all = vec![Some(DVec3::ZERO); values.len()];
+    for axis in 0..3 {
+        let along: Vec<f64> = values.iter().map(|value| value[axis]).collect();
+        let Ok(spline) = GcvSpline::from_data(&times, &along) else { return vec![None; values.len()] };
+        for (one, part) in all.iter_mut().flatten().zip(spline.derivative(&times, 2)) {
+            one[axis] = part;
+        }
+    }
+    let inner = END_FRAMES..values.len().saturating_sub(END_FRAMES);
+    all.iter().enumerate().map(|(frame, one)| one.filter(|_| inner.contains(&frame))).collect()
+}
+
+/// Averages of the known values around each known value, weighted by a normal distribution in time.
+fn smoothed(values: &[Option<DVec3>], step_s: f64) -> Vec<Option<DVec3>> {
+    let reach = (3.0 * SMOOTHING_S / step_s).min(values.len() as f64) as usize;
+    let average = |frame: usize| {
+        values[frame]?;
+        let (mut sum, mut weights) = (DVec3::ZERO, 0.0);
+        for near in frame.saturating_sub(reach)..frame.saturating_add(reach + 1).min(values.len()) {
+            let Some(value) = values[near] else { continue };
+            let apart = frame.abs_diff(near) as f64 * step_s / SMOOTHING_S;
+            let weight = libm::exp(-0.5 * apart * apart);
+            (sum, weights) = (sum + weight * value, weights + weight);
+        }
+        Some(sum / weights)
+    };
+    (0..values.len()).map(average).collect()
+}
+
+/// The time by which the plates' force is later than the inertia of the whole body (mass times acceleration), s: at the highest
+/// correlation over all components. `None` if this inertia does not explain the force.
+fn delay_s(time_s: &[f64], inertia_n: &[Option<DVec3>], force_n: &[Option<DVec3>]) -> Option<f64> {
     let count = time_s.len();
     let step_s = (time_s.last()? - time_s.first()?) / count.checked_sub(1)? as f64;
     let most = (MOST_DELAY_S / step_s).min(count as f64 / 3.0) as usize;
-    let correlation = |shift: usize| {
-        // The force is later by `shift` frames less `most`.
-        let (a, f) = (&inertia[most.saturating_sub(shift)..], &force[shift.saturating_sub(most)..]);
-        let both = || a.iter().zip(f).filter(|(_, force)| force.is_finite());
-        let mean = |value: fn((&f64, &f64)) -> f64| both().map(value).sum::<f64>() / both().count() as f64;
-        let (a0, f0) = (mean(|one| *one.0), mean(|one| *one.1));
-        let sum = |of: fn(f64, f64) -> f64| both().map(|(a, f)| of(a - a0, f - f0)).sum::<f64>();
-        sum(|a, f| a * f) / (sum(|a, _| a * a) * sum(|_, f| f * f)).sqrt()
+    let [inertia_n, force_n] = [inertia_n, force_n].map(|all| smoothed(all, step_s));
+    // The correlation, and the slope of the inertia over the force. The force is later by `shift` frames less `most`.
+    let compared = |shift: usize| {
+        let (earlier, later) = (
+            inertia_n.iter().skip(most.saturating_sub(shift)),
+            force_n.iter().skip(shift.saturating_sub(most)),
+        );
+        let (inertia, force): (Vec<DVec3>, Vec<DVec3>) =
+            earlier.zip(later).filter_map(|(inertia, force)| inertia.zip(*force)).unzip();
+        let mean = |of: &[DVec3]| of.iter().sum::<DVec3>() / of.len() as f64;
+        let (inertia_0, force_0) = (mean(&inertia), mean(&force));
+        let sum = |of: fn(DVec3, DVec3) -> f64| -> f64 {
+            inertia.iter().zip(&force).map(|(one, other)| of(*one - inertia_0, *other - force_0)).sum()
+        };
+        let product = sum(DVec3::dot);
+        let (squares, force_squares) =
+            (sum(|one, _| one.length_squared()), sum(|_, other| other.length_squared()));
+        (product / (squares * force_squares).sqrt(), product / force_squares)
     };
-    let all: Vec<f64> = (0..=2 * most).map(correlation).collect();
-    let best =
-        (0..all.len()).filter(|&one| all[one].is_finite()).max_by(|&a, &b| all[a].total_cmp(&all[b]))?;
-    let [before, here, after] = [all.get(best.checked_sub(1)?)?, all.get(best)?, all.get(best + 1)?];
+    let all: Vec<(f64, f64)> = (0..=2 * most).map(compared).collect();
+    let best = (0..all.len())
+        .filter(|&one| all[one].0.is_finite())
+        .max_by(|&a, &b| all[a].0.total_cmp(&all[b].0))?;
+    let [before, here, after] = [all.get(best.checked_sub(1)?)?.0, all[best].0, all.get(best + 1)?.0];
     let bend = before - 2.0 * here + after;
     let part = if bend < 0.0 { (before - after) / (2.0 * bend) } else { 0.0 };
-    Some((best as f64 - most as f64 + part) * step_s)
+    (here.min(all[best].1) > LEAST_INERTIA).then_some((best as f64 - most as f64 + part) * step_s)
 }
 
 named! {
@@ -221,16 +272,41 @@ impl CorrectionFigures {
 mod tests {
     use super::*;
 
+    /// The delay that is found where the force is late by `late_s`, and the motion shows a share of the inertia.
+    fn delay_of(late_s: f64, inertia_share: f64) -> Option<f64> {
+        let wave_n = |time: f64| {
+            let along_y = (9.0 * time).sin() + 0.4 * (23.0 * time).cos();
+            DVec3::new(8.0 * (11.0 * time).sin(), 70.0 * along_y, 0.0)
+        };
+        let times: Vec<f64> = (0..100).map(|frame| 0.01 * f64::from(frame)).collect();
+        let inertia = |time: &f64| Some(inertia_share * wave_n(*time));
+        let force = |time: &f64| Some(wave_n(time - late_s) + 700.0 * DVec3::Y);
+        let inertia: Vec<Option<DVec3>> = times.iter().map(inertia).collect();
+        delay_s(&times, &inertia, &times.iter().map(force).collect::<Vec<Option<DVec3>>>())
+    }
+
     #[test]
     fn a_delay_is_found_by_correlation() {
-        let times: Vec<f64> = (0..100).map(|frame| 0.01 * f64::from(frame)).collect();
-        let wave = |time: f64| (9.0 * time).sin() + 0.4 * (23.0 * time).cos();
-        let inertia: Vec<f64> = times.iter().map(|time| wave(*time)).collect();
         for late_s in [-0.06, 0.0, 0.033, 0.1] {
-            let force: Vec<f64> = times.iter().map(|time| 700.0 + 70.0 * wave(time - late_s)).collect();
-            let found_s = delay_s(&times, &inertia, &force).unwrap();
+            let found_s = delay_of(late_s, 1.0).unwrap();
             assert!((found_s - late_s).abs() < 2e-3, "{found_s} {late_s}");
         }
+    }
+
+    #[test]
+    fn inertia_that_does_not_explain_the_force_shows_no_delay() {
+        assert_eq!(delay_of(0.05, 0.1), None);
+    }
+
+    #[test]
+    fn accelerations_are_unknown_at_the_ends() {
+        let times: Vec<f64> = (0..40).map(|frame| 0.02 * f64::from(frame)).collect();
+        let places: Vec<DVec3> =
+            times.iter().map(|time| DVec3::new(1.0, (3.0 * time).sin(), *time)).collect();
+        let found = accelerations(&times, &places);
+        assert_eq!((found[2], found[37]), (None, None));
+        let expected = -9.0 * (3.0 * times[20]).sin() * DVec3::Y;
+        assert!((found[20].unwrap() - expected).length() < 1e-6, "{found:?}");
     }
 
     #[test]
