@@ -162,7 +162,8 @@ fn verdict_in_words(
 
 /// A remark if horizontal forces are further from the plates than without any contact.
 pub(crate) fn horizontal_error(figures: &CorrectionFigures) -> Option<Phrase> {
-    let worse = |foot: &&FootErrors| foot.after.horizontal_bw > foot.null.horizontal_bw;
+    // Less than a thousandth is nothing.
+    let worse = |foot: &&FootErrors| foot.after.horizontal_bw > foot.null.horizontal_bw + 1e-3;
     let foot = figures.feet.iter().find(worse)?;
     Some(phrase![
         "{}: its horizontal force is further from the plates ({} body weights) than if nothing touched ({}): smooth the motion, as with {}";
