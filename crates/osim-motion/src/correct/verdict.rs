@@ -171,8 +171,9 @@ fn smoothed(values: &[Option<DVec3>], step_s: f64) -> Vec<Option<DVec3>> {
     let average = |frame: usize| {
         values[frame]?;
         let (mut sum, mut weights) = (DVec3::ZERO, 0.0);
-        for near in frame.saturating_sub(reach)..frame.saturating_add(reach + 1).min(values.len()) {
-            let Some(value) = values[near] else { continue };
+        let around = values.iter().enumerate().take(frame.saturating_add(reach + 1));
+        for (near, value) in around.skip(frame.saturating_sub(reach)) {
+            let Some(value) = *value else { continue };
             let apart = frame.abs_diff(near) as f64 * step_s / SMOOTHING_S;
             let weight = libm::exp(-0.5 * apart * apart);
             (sum, weights) = (sum + weight * value, weights + weight);
