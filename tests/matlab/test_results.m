@@ -80,6 +80,10 @@ function only_a_fit_has_errors_of_the_fit()
     must(~isfield(done, 'errors') && isempty(done.fit_errors) && isfield(done.fit_errors, 'cop_rms_m'), 'a change has errors of a fit');
     done = osimcontact.fit('walker.osim', 'motion', 'walk.mot', 'plates', 'plates.sto', 'dry_run', true);
     must(isscalar(done.fit_errors) && done.fit_errors.vertical_rms_bw >= 0, 'a fit has no errors');
+    errors = done.fit_errors;
+    must(numel(errors.feet) == 2 && max([errors.feet.vertical_rms_bw]) == errors.vertical_rms_bw, 'feet differ');
+    must(isequal({errors.parameters.name}, {'stiffness_factor', 'dissipation_s_m', 'floor_up_m'}) ...
+        && all([errors.parameters.written]) && numel(errors.correlations) == 3, 'parameters differ');
 end
 
 function columns_of_results()

@@ -187,8 +187,8 @@ def test_a_value_is_written_as_python_writes_it(call, message, keyword):
 
 
 def test_a_fitted_quantity_may_be_a_text():
-    result = ocs.fit(WALKER, motion=WALK, plates=PLATES, fit="dissipation", yes="poor-fit")
-    assert set(result.changes["property"]) == {"dissipation"}
+    result = ocs.fit(WALKER, motion=WALK, plates=PLATES, fit="stiffness", yes="poor-fit")
+    assert set(result.changes["property"]) == {"stiffness"}
 
 
 def test_messages_shorten_long_texts():

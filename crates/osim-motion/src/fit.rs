@@ -24,7 +24,7 @@ pub struct FitBounds {
 }
 
 /// Why contacts cannot be fitted to recordings.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum FitError {
     #[error("the plates measured no force under a foot during the recording: there is nothing to fit to")]
     NoForce,
@@ -32,16 +32,24 @@ pub enum FitError {
     NoContact,
     #[error("the search did not converge")]
     NotConverged,
+    /// What was left out last, after which nothing is left to fit.
+    #[error("the recordings determine nothing of what was to be fitted")]
+    Undetermined(Vec<FittedParameter>),
 }
 
-/// A parameter of contacts that was fitted to recordings, with the range in which a fit is nearly as good.
-#[derive(Debug, Clone, Copy, PartialEq)]
+/// A fitted number.
+#[derive(Debug, Clone, PartialEq)]
 pub struct FittedParameter {
+    /// The name for scripts, with the unit: `stiffness_factor`, `dissipation_s_m`, `spheres_down_m`, `floor_up_m`, and for the second
+    /// trial `floor_2_up_m`.
+    pub name: String,
     pub value: f64,
     /// The lowest and highest value at which a fit of the other parameters is nearly as good (rms within 5 %, or 0.005 body
     /// weights).
     pub nearly_as_good: (f64, f64),
     pub at_bound: bool,
+    /// Whether a model gets the value: the recordings determine it, and it is not the floor of a further trial.
+    pub is_written: bool,
 }
 
 /// The differences between the fitted forces and the forces of the plates.
@@ -66,16 +74,18 @@ pub struct HeldOut {
 /// The result of a fit: contact parameters with which the forces of a model are like those of the plates.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MotionFit {
-    /// The factor of all stiffnesses; `None` if it was not fitted.
+    /// The factor of all stiffnesses; `None` if it was not fitted, or is not determined.
     pub stiffness_factor: Option<FittedParameter>,
-    /// The dissipation, s/m; `None` if it was not fitted.
+    /// The dissipation, s/m; `None` if it was not fitted, or is not determined.
     pub dissipation: Option<FittedParameter>,
     /// The distance by which all spheres move down in their bodies, m; `None` if it was not fitted.
     pub spheres_down_m: Option<FittedParameter>,
     /// The distance by which the floor moves up in each trial, m, without the first if spheres move; empty if no height was fitted.
     pub floor_up_m: Vec<FittedParameter>,
-    /// Correlation of the stiffness and the height of the first trial, if both were fitted.
-    pub stiffness_height_correlation: Option<f64>,
+    /// What was fitted first, but not written and not fitted again, because the recordings do not determine it.
+    pub undetermined: Vec<FittedParameter>,
+    /// The names of each two fitted parameters with their correlation, which is not a number if one is at its bound.
+    pub correlations: Vec<([String; 2], f64)>,
     pub before: FitErrors,
     pub after: FitErrors,
     /// The root mean square error of each trial, in body weights.
@@ -101,7 +111,12 @@ const MOST_RISE_WITHOUT_BOUND_M: f64 = 0.25;
 const MOST_SHIFT_OF_SPHERES_M: f64 = 0.25;
 /// The penalty per radius of depth beyond the bound, for one sphere, in body weights.
 const PENALTY_BW_PER_RADIUS: f64 = 200.0;
-/// A fit is nearly as good as the best one if its error is at most this many times larger.
+/// The recordings do not determine the stiffness if the largest factor that fits nearly as well is more than this many times the
+/// smallest.
+const WIDE_STIFFNESS_RATIO: f64 = 3.0;
+/// The recordings do not determine the dissipation if the dissipations that fit nearly as well differ by more than this, s/m.
+const WIDE_DISSIPATION_S_M: f64 = 1.0;
+/// A fit is nearly as good as the best one if its error is at most this many times larger, or at most `NEARLY_BEST_BW` larger.
 const NEARLY_BEST_FACTOR: f64 = 1.05;
 /// A fit is nearly as good as the best one if its error is larger by at most this, body weights.
 const NEARLY_BEST_BW: f64 = 0.005;
@@ -357,11 +372,43 @@ fn height_limits(trial: &FitTrial, bounds: &FitBounds) -> Result<(f64, f64), Fit
     Ok((least_m.min(most_m - 1e-6), most_m))
 }
 
-/// Fits the unknowns to all `trials` together.
+/// Fits the unknowns to all `trials` together, and then again without the stiffness or dissipation that they do not determine.
 ///
 /// # Errors
 /// Nothing to fit, or no fit.
 pub fn fit_motion(trials: &[FitTrial], bounds: &FitBounds) -> Result<MotionFit, FitError> {
+    let mut fit = fit_all_unknowns(trials, bounds)?;
+    let undetermined = [&mut fit.stiffness_factor, &mut fit.dissipation];
+    let undetermined = undetermined.into_iter().filter_map(|one| one.take_if(|one| !one.is_written));
+    let undetermined: Vec<FittedParameter> = undetermined.collect();
+    if undetermined.is_empty() {
+        return Ok(MotionFit { held_out: test_on_held_out(trials, bounds), ..fit });
+    }
+    let (stiffness, dissipation) = (fit.stiffness_factor.is_some(), fit.dissipation.is_some());
+    if !(stiffness || dissipation || bounds.height) {
+        return Err(FitError::Undetermined(undetermined));
+    }
+    let mut again = fit_motion(trials, &FitBounds { stiffness, dissipation, ..*bounds })?;
+    let of_left_out =
+        |(pair, _): &([String; 2], f64)| undetermined.iter().any(|one| pair.contains(&one.name));
+    again.correlations.extend(fit.correlations.into_iter().filter(of_left_out));
+    again.undetermined.extend(undetermined);
+    Ok(again)
+}
+
+/// The name of the unknown at a place, with its unit.
+fn name_of_unknown(place: usize) -> String {
+    match place {
+        INDEX_OF_STIFFNESS => "stiffness_factor".to_owned(),
+        INDEX_OF_DISSIPATION => "dissipation_s_m".to_owned(),
+        INDEX_OF_SPHERES_DOWN => "spheres_down_m".to_owned(),
+        FIRST_INDEX_OF_FLOORS => "floor_up_m".to_owned(),
+        _ => format!("floor_{}_up_m", place + 1 - FIRST_INDEX_OF_FLOORS),
+    }
+}
+
+/// Fits all unknowns of these bounds, and tests nothing on data that were held out.
+fn fit_all_unknowns(trials: &[FitTrial], bounds: &FitBounds) -> Result<MotionFit, FitError> {
     let (problem, best, covariance) = FitProblem::solve(trials, bounds)?;
     let thin = |foot: &FootForces| {
         let frames = foot.measured_n.len();
@@ -376,16 +423,25 @@ pub fn fit_motion(trials: &[FitTrial], bounds: &FitBounds) -> Result<MotionFit, 
         (!one.fixed).then(|| {
             let (low, high) = thinned.nearly_as_good(&best, place, step);
             let at_bound = value - one.limit_low <= near || one.limit_up - value <= near;
-            FittedParameter { value: map(value), nearly_as_good: (map(low), map(high)), at_bound }
+            let (value, low, high) = (map(value), map(low), map(high));
+            let is_written = match place {
+                INDEX_OF_STIFFNESS => !at_bound && high <= WIDE_STIFFNESS_RATIO * low,
+                INDEX_OF_DISSIPATION => !at_bound && high - low <= WIDE_DISSIPATION_S_M,
+                _ => place <= FIRST_INDEX_OF_FLOORS,
+            };
+            let name = name_of_unknown(place);
+            FittedParameter { name, value, nearly_as_good: (low, high), at_bound, is_written }
         })
     };
     let same = |value: f64| value;
-    let height = if bounds.spheres_move { INDEX_OF_SPHERES_DOWN } else { FIRST_INDEX_OF_FLOORS };
-    let covariance = |i: usize, j: usize| covariance[i * best.len() + j];
-    let correlation = || {
-        covariance(INDEX_OF_STIFFNESS, height)
-            / (covariance(INDEX_OF_STIFFNESS, INDEX_OF_STIFFNESS) * covariance(height, height)).sqrt()
+    let fitted: Vec<usize> = (0..best.len()).filter(|&place| !problem.settings[place].fixed).collect();
+    let correlation = |(i, j): (usize, usize)| {
+        let covariance = |i: usize, j: usize| covariance[i * best.len() + j];
+        let value = covariance(i, j) / (covariance(i, i) * covariance(j, j)).sqrt();
+        ([i, j].map(name_of_unknown), value)
     };
+    let pairs = fitted.iter().enumerate();
+    let pairs = pairs.flat_map(|(rank, &i)| fitted[rank + 1..].iter().map(move |&j| (i, j)));
     let rms_of_trial = |(number, trial): (usize, &FitTrial)| {
         let vector = [&best[..FIRST_INDEX_OF_FLOORS], &best[FIRST_INDEX_OF_FLOORS + number..]].concat();
         errors_of_fit(std::slice::from_ref(trial), &vector).vertical_rms_bw
@@ -399,11 +455,12 @@ pub fn fit_motion(trials: &[FitTrial], bounds: &FitBounds) -> Result<MotionFit, 
         floor_up_m: (FIRST_INDEX_OF_FLOORS..best.len())
             .filter_map(|place| parameter(place, HEIGHT_STEP_M, same))
             .collect(),
-        stiffness_height_correlation: (bounds.stiffness && bounds.height).then(correlation),
+        undetermined: Vec::new(),
+        correlations: pairs.map(correlation).collect(),
         before: errors_of_fit(trials, &unchanged),
         after: errors_of_fit(trials, &best),
         trials_rms_bw: trials.iter().enumerate().map(rms_of_trial).collect(),
-        held_out: test_on_held_out(trials, bounds),
+        held_out: Vec::new(),
         beside: trials.iter().map(|trial| trial.beside).sum(),
     })
 }
@@ -462,5 +519,45 @@ impl MPFitter for FitProblem<'_> {
 
     fn parameters(&self) -> &[MPPar] {
         &self.settings
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use contact_scaling::{Contact, ContactValues};
+
+    use super::*;
+
+    /// One sphere in two frames, whose force is that of depths of 4 and 9 mm. By F = f k d^(3/2) the derivatives by ln f are as 8 to 27,
+    /// those by the height as 2 to 3, so the correlation is -(8·2 + 27·3)/√((8² + 27²)(2² + 3²)) = -97/√(793·13). As strong as it is,
+    /// both parameters are determined within some per cent.
+    #[test]
+    fn a_correlation_is_that_of_the_derivatives() {
+        let values = ContactValues { plane_strain_modulus: 1e6, dissipation: 0.0, smoothing: None };
+        let law = Law::of(&Contact::new(values).unwrap(), 0.03).unwrap();
+        let foot = FootForces {
+            name: "foot".to_owned(),
+            spheres: Vec::new(),
+            laws: vec![(law, 0.03)],
+            measured_n: [0.004, 0.009].map(|depth_m| 2.0 * law.rest_force(depth_m)).to_vec(),
+            contacts: [0.002, 0.007].map(|depth_m| [(depth_m, 0.0), (0.0, 0.0)]).to_vec(),
+        };
+        let weight_n = foot.measured_n[1];
+        let (without_force, down) = (Vec::new(), Vec::new());
+        let trial = FitTrial { feet: vec![foot], weight_n, beside: 0, without_force, down };
+        let bounds = FitBounds {
+            stiffness: true,
+            dissipation: false,
+            height: true,
+            spheres_move: false,
+            most_relative_indentation: Some(1.0),
+        };
+        let fit = fit_motion(&[trial], &bounds).unwrap();
+        let factor = fit.stiffness_factor.unwrap();
+        assert!((factor.value - 2.0).abs() < 1e-6 && factor.nearly_as_good.0 > 1.9, "{factor:?}");
+        assert!((fit.floor_up_m[0].value - 0.002).abs() < 1e-8, "{:?}", fit.floor_up_m);
+        let (names, correlation) = &fit.correlations[0];
+        assert_eq!(*names, ["stiffness_factor", "floor_up_m"]);
+        assert!((correlation + 97.0 / (793.0 * 13.0_f64).sqrt()).abs() < 1e-5, "{correlation}");
     }
 }

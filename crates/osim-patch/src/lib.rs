@@ -61,7 +61,7 @@ pub use crate::objects::{
     RebuiltModel, add_contacts, added_forces, connect_sockets, convert, dangling_references, preset_model,
     presets_with_places, remove,
 };
-pub use crate::plan::{Masses, Plan, RecordingErrors};
+pub use crate::plan::{FittedFoot, FittedNumber, Masses, Plan, RecordingErrors};
 pub use crate::rescale::{
     OPERATION_FOLLOWING_BODIES, OPERATION_FOLLOWING_NOTE, OPERATION_FOLLOWING_SCALE_FILE, Rescale, rescale,
 };

@@ -67,7 +67,7 @@ pub struct Plan {
 
 /// Differences between the forces of a fit and of force plates: for the foot with the largest difference in the first trial. The
 /// vertical errors also include all feet of the other trials.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct RecordingErrors {
     /// Root mean square of the difference along the normal of the floor, in body weights.
     pub vertical_rms_bw: f64,
@@ -81,6 +81,37 @@ pub struct RecordingErrors {
     pub cop_rms_m: Option<f64>,
     /// The largest relative indentation x/R in the recording.
     pub largest_relative_indentation: f64,
+    /// The feet of the first recording under which the plates measured a force.
+    pub feet: Vec<FittedFoot>,
+    pub parameters: Vec<FittedNumber>,
+    /// The names of each two parameters with their correlation, which is not a number if one is at its bound.
+    pub correlations: Vec<([String; 2], f64)>,
+}
+
+/// The forces of one foot after a fit, compared with those of its plates, in body weights.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FittedFoot {
+    pub name: String,
+    pub vertical_rms_bw: f64,
+    pub vertical_rms_before_bw: f64,
+    pub horizontal_rms_bw: f64,
+    /// Root mean square of the distance between both centres of pressure, m.
+    pub cop_rms_m: Option<f64>,
+    pub peak_bw: f64,
+    pub measured_peak_bw: f64,
+}
+
+/// A parameter that was fitted to recordings.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FittedNumber {
+    /// The name for scripts, with the unit.
+    pub name: String,
+    pub value: f64,
+    /// The lowest and highest value that fits nearly as well.
+    pub nearly_as_good: (f64, f64),
+    pub at_bound: bool,
+    /// Whether the model gets the value.
+    pub is_written: bool,
 }
 
 /// The mass that contacts were made for, before and after a change.

@@ -7,19 +7,19 @@ use osim_inspect::{ContactsOrigin, Figure, InspectOptions};
 use osim_model::files::{FileName, Files, OpenModel};
 use osim_model::messages::{Input, Phrase, Verb, phrase, shortest, shown};
 use osim_model::{
-    Assignment, Fault, HalfSpace, Mass, MassSource, Model, Property, Selected, SphereId, Suspicion,
-    YesQuestion,
+    Assignment, Fault, FaultKind, HalfSpace, Mass, MassSource, Model, Property, Selected, SphereId,
+    Suspicion, YesQuestion,
 };
-use osim_motion::fit::{FitBounds, FitError, FitTrial, FootForces, MotionFit, fit_motion};
+use osim_motion::fit::{FitBounds, FitError, FitTrial, FittedParameter, FootForces, MotionFit, fit_motion};
 use osim_motion::{
     Belt, ContactStates, Foot, FootSummary, MeasuredForces, Recording, RecordingOptions, StatesError,
     Summary, Table,
 };
-use osim_patch::{Plan, RecordingErrors, Set, set};
+use osim_patch::{FittedFoot, FittedNumber, Plan, RecordingErrors, Set, set};
 use osim_requests::options::{AnswerOptions, InspectionOptions};
 use osim_requests::{FitRequest, FittedChoice, HeightChoice, MotionRequest, RequestError, RequestFault};
 
-use super::fit_remarks::remarks;
+use super::fit_remarks::{parameter_in_words, remarks};
 use crate::consistency::MotionRemark;
 use crate::motion::{
     FollowedMotion, MotionResult, PlatesRead, belt_of_motion, mass_and_gravity, read_motion,
@@ -160,12 +160,12 @@ impl FitPlanner {
     ) -> Result<Set, Fault> {
         let mut assignments = Vec::new();
         let mut summary: Vec<String> = Vec::new();
-        if let Some(factor) = fit.stiffness_factor {
+        if let Some(factor) = &fit.stiffness_factor {
             let assignment = stiffness_assignment(model, selected, factor.value);
             summary.push(format!("stiffness={assignment}"));
             assignments.push((Property::Stiffness, assignment));
         }
-        if let Some(dissipation) = fit.dissipation {
+        if let Some(dissipation) = &fit.dissipation {
             let assignment = Assignment::Value(with_significant_digits(dissipation.value));
             summary.push(format!("dissipation={assignment}"));
             assignments.push((Property::Dissipation, assignment));
@@ -186,7 +186,7 @@ impl FitPlanner {
                 wanted.planes.push((plane.clone(), plane.location_moved_up(up_m).ok_or_else(none)?));
             }
         }
-        if let Some(down) = fit.spheres_down_m {
+        if let Some(down) = &fit.spheres_down_m {
             wanted.centres = fitted_centres(model, states_of_trials, down.value)?;
             summary.push("spheres".to_owned());
         }
@@ -247,11 +247,10 @@ impl Planner for FitPlanner {
         // The measured forces of the first trial are those of the original, because they do not depend on the contacts.
         let (_, states, feet) = self.follow_trial(&self.trials[0], &changed, &selected)?;
         let after = Summary::of(&states, &feet, Some(&first.measured), weight_n);
-        let errors = recording_errors(&fit, &trials, &after)?;
+        let errors = recording_errors(&fit, &trials, (&first.summary, &after))?;
         self.answers.require_yes(poor_fit(&fit, &errors)).map_err(Fault::new)?;
-        plan.errors = Some(errors);
         // If spheres move, the floor of the first recording stays.
-        let first_m = fit.spheres_down_m.map(|_| 0.0);
+        let first_m = fit.spheres_down_m.as_ref().map(|_| 0.0);
         plan.floor_up_m = first_m.into_iter().chain(fit.floor_up_m.iter().map(|up| up.value)).collect();
         let others = match wanted.planes.is_empty() {
             true => Vec::new(),
@@ -265,8 +264,9 @@ impl Planner for FitPlanner {
         let null_bw = errors.null_vertical_rms_bw;
         let null = format!("a model that never touches has an error of {null_bw:.3} body weights (rms)");
         plan.remarks.push(null.into());
-        plan.remarks.extend(remarks(&fit, &trials, (&first.summary, &after), &self.bounds, &others));
+        plan.remarks.extend(remarks(&fit, &trials, (&first.summary, &errors.feet), &self.bounds, &others));
         plan.remarks.extend(self.remark_on_dimensionless_numbers(&changed));
+        plan.errors = Some(errors);
         Ok(plan)
     }
 }
@@ -313,6 +313,10 @@ fn fault_of_fit(error: &FitError, plate_of_no_foot: Option<&String>) -> Fault {
         (FitError::NoForce, Some(plate)) => Fault::refused(format!(
             "it is not known which foot the force '{plate}' acts on, so there is nothing to fit to: an ExternalLoads file says which"
         )),
+        (FitError::Undetermined(parameters), _) => {
+            let ranges: Vec<String> = parameters.iter().map(parameter_in_words).collect();
+            Fault::new(FaultKind::NothingDetermined { text: format!("{error} ({})", ranges.join("; ")) })
+        }
         _ => Fault::refused(error.to_string()),
     }
 }
@@ -328,16 +332,39 @@ fn null_rms_bw(trials: &[FitTrial]) -> f64 {
 }
 
 /// The errors of the fitted model, compared with the plates. Refused if forces are not finite.
-fn recording_errors(fit: &MotionFit, trials: &[FitTrial], after: &Summary) -> Result<RecordingErrors, Fault> {
-    let is_left_out =
-        |foot: &FootSummary| trials.iter().take(1).any(|one| one.without_force.contains(&foot.foot.name));
-    let feet =
-        || after.feet.iter().filter(|foot| !is_left_out(foot)).filter_map(|foot| foot.comparison.as_ref());
+fn recording_errors(
+    fit: &MotionFit,
+    trials: &[FitTrial],
+    (before, after): (&Summary, &Summary),
+) -> Result<RecordingErrors, Fault> {
+    let is_left_out = |name: &String| trials.iter().take(1).any(|one| one.without_force.contains(name));
+    let bw = |force_n: f64| force_n / after.weight_n;
+    let foot = |(old, new): (&FootSummary, &FootSummary)| {
+        let (name, old, new) = (new.foot.name.clone(), old.comparison?, new.comparison?);
+        (!is_left_out(&name)).then(|| FittedFoot {
+            name,
+            vertical_rms_bw: bw(new.normal_rms_n),
+            vertical_rms_before_bw: bw(old.normal_rms_n),
+            horizontal_rms_bw: bw(new.horizontal_rms_n),
+            cop_rms_m: new.cop_rms_m,
+            peak_bw: bw(new.peak_n),
+            measured_peak_bw: bw(new.measured_peak_n),
+        })
+    };
+    let feet: Vec<FittedFoot> = before.feet.iter().zip(&after.feet).filter_map(foot).collect();
+    let number = |one: &FittedParameter| FittedNumber {
+        name: one.name.clone(),
+        value: one.value,
+        nearly_as_good: one.nearly_as_good,
+        at_bound: one.at_bound,
+        is_written: one.is_written,
+    };
+    let contact = fit.stiffness_factor.iter().chain(&fit.dissipation).chain(&fit.spheres_down_m);
     let largest = |a: f64, b: f64| if a.is_nan() || a > b { a } else { b };
-    let worst = |of: fn(&osim_motion::Comparison) -> f64| feet().map(of).fold(0.0, largest);
+    let worst = |of: fn(&FittedFoot) -> f64| feet.iter().map(of).fold(0.0, largest);
     let others = fit.trials_rms_bw.iter().skip(1).copied().fold(0.0, largest);
-    let vertical_rms_bw = largest(worst(|one| one.normal_rms_n) / after.weight_n, others);
-    let horizontal_rms_bw = worst(|one| one.horizontal_rms_n) / after.weight_n;
+    let vertical_rms_bw = largest(worst(|one| one.vertical_rms_bw), others);
+    let horizontal_rms_bw = worst(|one| one.horizontal_rms_bw);
     if !(vertical_rms_bw.is_finite() && horizontal_rms_bw.is_finite()) {
         return Err(Fault::refused("with these options the forces of the fitted model are not finite"));
     }
@@ -346,8 +373,11 @@ fn recording_errors(fit: &MotionFit, trials: &[FitTrial], after: &Summary) -> Re
         held_out_vertical_rms_bw: fit.held_out.iter().map(|one| one.vertical_rms_bw).reduce(f64::max),
         null_vertical_rms_bw: null_rms_bw(trials),
         horizontal_rms_bw,
-        cop_rms_m: feet().filter_map(|one| one.cop_rms_m).reduce(f64::max),
+        cop_rms_m: feet.iter().filter_map(|one| one.cop_rms_m).reduce(f64::max),
         largest_relative_indentation: fit.after.largest_relative_indentation,
+        feet,
+        parameters: contact.chain(&fit.floor_up_m).chain(&fit.undetermined).map(number).collect(),
+        correlations: fit.correlations.clone(),
     })
 }
 

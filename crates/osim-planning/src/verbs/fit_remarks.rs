@@ -1,14 +1,10 @@
 //! Remarks on a fit to recordings.
 
 use osim_model::messages::{Input, Phrase, phrase, shown};
+use osim_motion::Summary;
 use osim_motion::fit::{FitBounds, FitTrial, FittedParameter, HeldOut, MotionFit};
-use osim_motion::{FootSummary, Summary};
+use osim_patch::FittedFoot;
 
-/// The recordings do not determine the stiffness if the largest stiffness that fits nearly as well is more than this many times the
-/// smallest.
-const WIDE_STIFFNESS_RATIO: f64 = 3.0;
-/// The recordings do not determine the dissipation if the dissipations that fit nearly as well differ by more than this, s/m.
-const WIDE_DISSIPATION_S_M: f64 = 1.0;
 /// The recordings do not determine stiffness and height separately if the correlation of the two is larger than this.
 const STRONG_CORRELATION: f64 = 0.95;
 
@@ -16,11 +12,11 @@ const STRONG_CORRELATION: f64 = 0.95;
 pub(super) fn remarks(
     fit: &MotionFit,
     trials: &[FitTrial],
-    (before, after): (&Summary, &Summary),
+    (before, feet): (&Summary, &[FittedFoot]),
     bounds: &FitBounds,
     others: &[String],
 ) -> Vec<Phrase> {
-    let mut remarks = remarks_on_feet(before, after);
+    let mut remarks: Vec<Phrase> = feet.iter().map(remark_on_foot).collect();
     remarks.extend(remarks_on_feet_without_force(trials));
     for (trial, rms_bw) in fit.trials_rms_bw.iter().enumerate().skip(1) {
         let (number, text) = (trial + 1, "the error of all its feet is");
@@ -40,13 +36,13 @@ pub(super) fn remarks(
         remarks.push(format!("the floor{of_trial} goes {height}").into());
     }
     remarks.extend(remark_on_other_forces(others));
-    remarks.extend(fit.spheres_down_m.map(|down| {
-        let height = height_in_words(&down, ["up", "down"], " in their bodies, and the floor stays");
+    remarks.extend(fit.spheres_down_m.as_ref().map(|down| {
+        let height = height_in_words(down, ["up", "down"], " in their bodies, and the floor stays");
         Phrase::from(format!("all spheres go {height}"))
     }));
-    remarks.extend(fit.stiffness_factor.as_ref().map(remark_on_stiffness));
-    remarks.extend(fit.stiffness_height_correlation.and_then(remark_on_correlation));
-    remarks.extend(fit.dissipation.as_ref().map(remark_on_dissipation));
+    let contact = fit.stiffness_factor.iter().chain(&fit.dissipation).chain(&fit.undetermined);
+    remarks.extend(contact.map(|one| parameter_in_words(one).into()));
+    remarks.extend(remark_on_correlation(fit));
     remarks.extend(remark_on_scatter(before));
     let is_deep = fit.after.largest_relative_indentation > 0.999;
     if bounds.most_relative_indentation.is_some() && (is_deep || fit.floor_up_m.iter().any(|up| up.at_bound))
@@ -66,17 +62,11 @@ pub(super) fn remarks(
 }
 
 /// A remark on each foot: how far its force was from the plates before the fit, and is after it.
-fn remarks_on_feet(before: &Summary, after: &Summary) -> Vec<Phrase> {
-    let bw = |force_n: f64| force_n / before.weight_n;
-    let sentence = |(old, new): (&FootSummary, &FootSummary)| {
-        let (name, old, new) = (&new.foot.name, old.comparison.as_ref()?, new.comparison.as_ref()?);
-        let [after, before, peak, plates] =
-            [new.normal_rms_n, old.normal_rms_n, new.peak_n, new.measured_peak_n].map(bw);
-        let text =
-            format!("{name}: error of the force {after:.3} body weights (rms), {before:.3} before; up to");
-        Some(format!("{text} {peak:.2} where the plates measured up to {plates:.2}").into())
-    };
-    before.feet.iter().zip(&after.feet).filter_map(sentence).collect()
+fn remark_on_foot(foot: &FittedFoot) -> Phrase {
+    let (name, after, before) = (&foot.name, foot.vertical_rms_bw, foot.vertical_rms_before_bw);
+    let text = format!("{name}: error of the force {after:.3} body weights (rms), {before:.3} before; up to");
+    let (peak, plates) = (foot.peak_bw, foot.measured_peak_bw);
+    format!("{text} {peak:.2} where the plates measured up to {plates:.2}").into()
 }
 
 /// Remarks on feet that the fit left out, because no force was measured under them.
@@ -109,8 +99,11 @@ fn remark_on_other_forces(others: &[String]) -> Option<Phrase> {
     Some(format!("the floor is also that of {}{more}, {text}", shown(first)).into())
 }
 
-/// A remark if the recordings hardly separate the stiffness from the height of the floor.
-fn remark_on_correlation(correlation: f64) -> Option<Phrase> {
+/// A remark if the stiffness and the height of the first trial depend on each other.
+fn remark_on_correlation(fit: &MotionFit) -> Option<Phrase> {
+    let is_wanted =
+        |[first, second]: &[String; 2]| first == "stiffness_factor" && second != "dissipation_s_m";
+    let (_, correlation) = fit.correlations.iter().find(|(names, _)| is_wanted(names))?;
     let text = "the data hardly separate the stiffness from the height of the floor";
     (correlation.abs() > STRONG_CORRELATION).then(|| format!("{text} (correlation {correlation:.2})").into())
 }
@@ -129,24 +122,15 @@ fn height_in_words(height: &FittedParameter, ways: [&str; 2], more: &str) -> Str
     format!("{way} by {value:.1} mm{more}; {low:.1} to {high:.1} mm fit nearly as well")
 }
 
-/// A remark on the fitted stiffness and its range.
-fn remark_on_stiffness(factor: &FittedParameter) -> Phrase {
-    let ((low, high), bound) = (factor.nearly_as_good, bound_in_words(factor));
-    let range = format!("{low:.2} to {high:.2} times fit nearly as well");
-    let text = format!("stiffness: {:.3} times that of the model{bound}; {range}", factor.value);
-    if high / low > WIDE_STIFFNESS_RATIO {
-        let advice = Input::Fit.with_value("height");
-        return phrase![text, ": it is not determined. Keep the published one with ", advice];
-    }
-    text.into()
-}
-
-/// A remark on the fitted dissipation and its range.
-fn remark_on_dissipation(dissipation: &FittedParameter) -> Phrase {
-    let (low, high) = dissipation.nearly_as_good;
-    let undetermined = if high - low > WIDE_DISSIPATION_S_M { ": it is not determined" } else { "" };
-    let range = format!("{low:.2} to {high:.2} s/m fit nearly as well{undetermined}");
-    format!("dissipation: {:.2} s/m; {range}", dissipation.value).into()
+/// A stiffness or dissipation, and the range of its values.
+pub(super) fn parameter_in_words(one: &FittedParameter) -> String {
+    let ((low, high), bound) = (one.nearly_as_good, bound_in_words(one));
+    let (best, unit) = match one.name.as_str() {
+        "stiffness_factor" => (format!("stiffness: {:.3} times that of the model", one.value), "times"),
+        _ => (format!("dissipation: {:.2} s/m", one.value), "s/m"),
+    };
+    let stays = if one.is_written { "" } else { ": it is not determined, and that of the model stays" };
+    format!("{best}{bound}; {low:.2} to {high:.2} {unit} fit nearly as well{stays}")
 }
 
 /// A remark if the height of a foot in stance varies by more than the radius of the spheres.

@@ -8,7 +8,10 @@ use osim_inspect::{ContactsMass, FindingRecord, SCHEMA_VERSION};
 use osim_model::Model;
 use osim_model::files::{Failure, FileName};
 use osim_model::messages::{Dialect, Phrase, is_visible};
-use osim_patch::{NewSphere, NumberChange, ObjectAction, ObjectChange, PlaceChange, Plan, RecordingErrors};
+use osim_patch::{
+    FittedFoot, FittedNumber, NewSphere, NumberChange, ObjectAction, ObjectChange, PlaceChange, Plan,
+    RecordingErrors,
+};
 use serde::Serialize;
 use serde_json::ser::{CharEscape, CompactFormatter, Formatter, Serializer};
 
@@ -120,7 +123,7 @@ records! {
                 .chain(plan.moves.iter().map(ChangeRecord::from)).collect(),
         /// Of a fit to recordings: how far its forces are from the plates'.
         #[serde(skip_serializing_if = "Option::is_none")]
-        errors: Option<RecordingErrorsRecord> = plan.errors.map(RecordingErrorsRecord::from),
+        errors: Option<RecordingErrorsRecord> = plan.errors.as_ref().map(RecordingErrorsRecord::from),
         /// Of a fit of the height: how far the floor of each recording is above that of the model as it was, m. The model gets the first.
         #[serde(skip_serializing_if = "Option::is_none")]
         floor_up_m: Option<Vec<f64>> = (!plan.floor_up_m.is_empty()).then(|| plan.floor_up_m.clone()),
@@ -156,7 +159,7 @@ records! {
 
     /// How far the forces of a fit are from those that plates measured: the worst foot of the first trial; vertically also all feet of each
     /// other trial.
-    RecordingErrorsRecord from errors: RecordingErrors {
+    RecordingErrorsRecord from errors: &RecordingErrors {
         /// Root mean square along the normal of the floor, body weights.
         vertical_rms_bw: f64 = errors.vertical_rms_bw,
         /// Root mean square along the normal in frames that were not fitted, body weights.
@@ -169,6 +172,58 @@ records! {
         cop_rms_m: Option<f64> = errors.cop_rms_m,
         /// The largest x/R in the recording.
         largest_relative_indentation: f64 = errors.largest_relative_indentation,
+        /// Each foot of the first trial under which the plates measured a force.
+        feet: Vec<FittedFootRecord> = errors.feet.iter().map(FittedFootRecord::from).collect(),
+        /// What was fitted: first what is written to the model.
+        parameters: Vec<FittedParameterRecord> =
+            errors.parameters.iter().map(FittedParameterRecord::from).collect(),
+        /// The correlation of each two parameters.
+        correlations: Vec<CorrelationRecord> =
+            errors.correlations.iter().map(CorrelationRecord::from).collect(),
+    }
+
+    /// The forces of one foot after a fit, compared with those of its plates.
+    FittedFootRecord from foot: &FittedFoot {
+        /// `right foot`, `left foot`, or the name of the limb's first body.
+        name: String = foot.name.clone(),
+        /// Root mean square of the difference along the normal of the floor, body weights.
+        vertical_rms_bw: f64 = foot.vertical_rms_bw,
+        /// The same before the fit, body weights.
+        vertical_rms_before_bw: f64 = foot.vertical_rms_before_bw,
+        /// Root mean square of the difference across the normal, body weights.
+        horizontal_rms_bw: f64 = foot.horizontal_rms_bw,
+        /// Root mean square of the distance between both centres of pressure, m.
+        cop_rms_m: Option<f64> = foot.cop_rms_m,
+        /// The model's largest force along the normal, body weights.
+        peak_bw: f64 = foot.peak_bw,
+        /// The largest measured force, body weights.
+        measured_peak_bw: f64 = foot.measured_peak_bw,
+    }
+
+    /// One fitted parameter.
+    FittedParameterRecord from one: &FittedNumber {
+        /// `stiffness_factor`, `dissipation_s_m`, `spheres_down_m`, `floor_up_m`, or, for the second trial, `floor_2_up_m`.
+        name: String = one.name.clone(),
+        /// The value with which the forces fit best.
+        value: f64 = one.value,
+        /// The smallest value that fits nearly as well.
+        low: f64 = one.nearly_as_good.0,
+        /// The largest value that fits nearly as well.
+        high: f64 = one.nearly_as_good.1,
+        /// Whether the value is at a bound of the search.
+        at_bound: bool = one.at_bound,
+        /// Whether the model gets the value: not where the recordings do not determine it, nor the floor of a further trial.
+        written: bool = one.is_written,
+    }
+
+    /// The correlation of two fitted parameters.
+    CorrelationRecord from (names, value): &([String; 2], f64) {
+        /// Name of the one parameter.
+        first: String = names[0].clone(),
+        /// Name of the other parameter.
+        second: String = names[1].clone(),
+        /// The correlation; null where one of them is at its bound.
+        value: Option<f64> = Some(*value).filter(|value| value.is_finite()),
     }
 
     /// One number that changes, or one centre that moves.

@@ -80,6 +80,8 @@ pub enum FaultKind {
     ForceCannotChange { text: String, force: String, otherwise: &'static str },
     /// The request makes no sense for this model. The text names no input.
     Refused(String),
+    /// Recordings determine nothing of what was to be fitted to them.
+    NothingDetermined { text: String },
     /// A quantity that the caller gave is outside its domain.
     Quantity(DomainError),
     /// The force contains its sphere, as Moco 0.1 to 0.3 wrote it, and cannot get the contacts of other forces.
@@ -117,6 +119,7 @@ impl FaultKind {
             | Self::StrictlyRefused { .. }
             | Self::ForceCannotChange { .. }
             | Self::SphereInsideForce { .. }
+            | Self::NothingDetermined { .. }
             | Self::Refused(_) => "refused",
             Self::Quantity(_) => "out-of-range",
             Self::OverlappingEdits { .. } => "internal",
@@ -189,6 +192,10 @@ impl FaultKind {
             ],
             Self::StrictlyRefused { text } => {
                 phrase![text.clone(), " (refused because of ", Input::Strict, ")"]
+            }
+            Self::NothingDetermined { text } => {
+                let correct = Verb::Motion.call_with_model().with_placeholder(Input::Correct, "FILE");
+                phrase!["{}: correct the motion instead, with {}"; text.clone(), correct]
             }
             Self::SphereInsideForce { force } => phrase![
                 "{force} keeps its sphere inside itself, as Moco 0.1 to 0.3 wrote it, and OpenSim 4.2 and later \
