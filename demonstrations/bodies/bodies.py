@@ -22,10 +22,10 @@ def rows(models, folder, names=None, build_names=None):
 
     opensim.Logger.setLevelString("Error")
     for file in names or builds.MODELS:
-        original = models / file
-        if not original.exists():
+        if not (models / file).exists():
             print(f"{file} is not in {models}: left out")
             continue
+        original = builds.original(models, folder, file)
         at_first = fall(original, 0.03, builds.BUILDS["original"])
         radius = at_first["radius_m"]
         for name in build_names or builds.BUILDS:

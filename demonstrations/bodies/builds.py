@@ -1,4 +1,4 @@
-"""Public models at other builds: `write` scales one with OpenSim, and gives it contacts in three ways.
+"""Public models at other builds: `write` scales one with OpenSim, and gives it contacts in several ways.
 
 OpenSim's Scale Tool has a factor for each bone. Here trunk, legs and feet have one each, and the mass another. Contacts stay behind; then
 they are left, rescaled by mass alone, or transferred from the original model with their places.
@@ -33,19 +33,49 @@ BUILDS = {
     "short feet": Build(8, 2, 2, 1.2),
 }
 
-# File below the folder that is given: where it is from, and its licence. None of them is part of this project.
+# File in the folder that is given: where it is from, and its licence. None of them is part of this project. The sets of contacts of Moco's
+# 3-D walking are files beside its model.
 MODELS = {
     "v40000_moco_2d_gait.osim": ("opensim-core, Moco's 2-D walker", "Apache-2.0"),
     "v40000_falisse_2022_human.osim": ("PredSim, Falisse et al. (2022)", "AGPL-3.0"),
     "v40000_dhondt_2024_3seg_human.osim": ("PredSim, D'Hondt et al. (2024)", "AGPL-3.0"),
     "v40000_opencap_lai_arnold_crlf.osim": ("OpenCap, Lai-Arnold", "see its LICENSE.md"),
+    "v40600_moco_3d_walking_model_without_contacts.osim": ("opensim-core, Moco's 3-D walking", "Apache-2.0"),
+    "v40000_human_12_hunt_crossley.osim": ("predictsim_mtp, Falisse et al.", "see its repository"),
+    "v40000_scone_h0914m.osim": ("SCONE, H0914M", "GPL-3.0"),
+    "v30000_osim_rl_gait9dof18musc_crlf.osim": ("osim-rl, gait9dof18musc", "MIT"),
+    "v40000_dynamic_jumper.osim": ("opensim-models, DynamicJumper", "see its repository"),
 }
-CONTACTS = {"left": "left behind", "mass": "rescaled by mass only", "places": "transferred with places"}
+# Options of the transfer with places. With radii by mass, (14) by radius and by mass are one.
+PLACES = {
+    "places": {},
+    "places-alpha": {"dissipation_by": "mass"},
+    "places-radii": {"radius": "isometric", "level": True},
+}
+CONTACTS = ("left", "mass", *PLACES)
 
 LEGS = ("femur", "tibia", "patella")
 FEET = ("talus", "calcn", "midfoot", "forefoot", "toes")
-# Masses and radii far from the original's are meant here.
-CONFIRMED = ("implausible-mass", "mass-in-pounds", "implausible-radius")
+# Masses and radii far from the original's are meant here; Moco's 3-D walking has the toe joints of the unscaled foot.
+CONFIRMED = ("implausible-mass", "mass-in-pounds", "implausible-radius", "wrong-afterwards")
+
+
+def original(models, folder, file):
+    """The file of a public model; its sets of contacts, if they are files beside it, are put into a copy."""
+    model = opensim.Model(str(models / file))
+    if model.getContactGeometrySet().getSize() > 0:
+        return models / file
+    stem = str(models / file).removesuffix("model_without_contacts.osim")
+    for ours, theirs in (
+        (model.updContactGeometrySet(), opensim.ContactGeometrySet(f"{stem}ContactGeometrySet.xml")),
+        (model.updForceSet(), opensim.ForceSet(f"{stem}ContactForceSet.xml")),
+    ):
+        for number in range(theirs.getSize()):
+            ours.cloneAndAppend(theirs.get(number))
+    model.finalizeConnections()
+    folder.mkdir(parents=True, exist_ok=True)
+    model.printToXML(str(folder / file))
+    return folder / file
 
 
 def write(original, folder, name, build, contacts):
@@ -71,14 +101,14 @@ def write(original, folder, name, build, contacts):
     if name == "original":
         return Path(original)
     folder.mkdir(parents=True, exist_ok=True)
-    stem = f"{Path(original).stem}_{name.replace(' ', '_')}"
-    scaled, adapted = folder / f"{stem}_left.osim", folder / f"{stem}_{contacts}.osim"
+    stem = f"{Path(original).stem}_{name}"
+    scaled, adapted = (folder / f"{stem}_{way}.osim".replace(" ", "_") for way in ("left", contacts))
     mass = scale(original, scaled, build)
     if contacts == "mass":
         results = ocs.rescale(str(scaled), contacts_mass=mass, target_mass=mass * build.mass, yes=CONFIRMED)
         results.write(str(adapted), force=True)
-    elif contacts == "places":
-        results = ocs.transfer(str(scaled), from_=str(original), follow_bodies=True, yes=CONFIRMED)
+    elif contacts in PLACES:
+        results = ocs.transfer(str(scaled), from_=str(original), follow_bodies=True, yes=CONFIRMED, **PLACES[contacts])
         results.write(str(adapted), force=True)
     return adapted
 

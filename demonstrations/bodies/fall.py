@@ -60,18 +60,29 @@ def _standing(path, depths):
     model = opensim.Model(str(path))
     state = model.initSystem()
     model.realizePosition(state)
-    ankle = np.mean([model.getBodySet().get(f"talus_{side}").getPositionInGround(state).get(0) for side in "rl"])
+    bodies = model.getBodySet()
+    ankles = [f"{'talus' if bodies.contains('talus_r') else 'calcn'}_{side}" for side in "rl"]
+    ankle = np.mean([bodies.get(name).getPositionInGround(state).get(0) for name in ankles])
     loads, places = [], []
-    for depth, force in zip(depths, _forces(model), strict=True):
-        sphere = opensim.ContactSphere.safeDownCast(force.getConnectee("sphere"))
-        smoothed = (depth**2 + force.get_constant_contact_force()) ** 0.75
-        begun = 0.5 + 0.5 * np.tanh(force.get_hertz_smoothing() * depth)
-        loads.append(force.get_stiffness() * sphere.getRadius() ** 0.5 * smoothed * begun)
+    for depth, (sphere, stiffness, constant, hertz) in zip(depths, _contacts(model), strict=True):
+        begun = 0.5 + 0.5 * np.tanh(hertz * depth)
+        loads.append(stiffness * sphere.getRadius() ** 0.5 * (depth**2 + constant) ** 0.75 * begun)
         places.append(sphere.getFrame().findStationLocationInGround(state, sphere.get_location()).get(0) - ankle)
     return np.array(loads) / np.sum(loads), np.array(places)
 
 
-def _forces(model):
-    for component in model.getComponentsList():
+def _contacts(model):
+    """Each sphere, in the order of forces, with its stiffness, constant_contact_force and hertz_smoothing."""
+    for component in list(model.getComponentsList()):
         if component.getConcreteClassName() == "SmoothSphereHalfSpaceForce":
-            yield opensim.SmoothSphereHalfSpaceForce.safeDownCast(model.getComponent(component.getAbsolutePathString()))
+            force = opensim.SmoothSphereHalfSpaceForce.safeDownCast(component)
+            sphere = opensim.ContactSphere.safeDownCast(force.getConnectee("sphere"))
+            yield sphere, force.get_stiffness(), force.get_constant_contact_force(), force.get_hertz_smoothing()
+        elif component.getConcreteClassName() == "HuntCrossleyForce":
+            force = opensim.HuntCrossleyForce.safeDownCast(component)
+            material = force.updPropertyByName("contact_parameters").updValueAsObject().updPropertyByName("objects")
+            names = material.updValueAsObject(0).updPropertyByName("geometry")
+            for name in (opensim.PropertyHelper.getValueString(names, number) for number in range(names.size())):
+                sphere = opensim.ContactSphere.safeDownCast(model.getContactGeometrySet().get(name))
+                if sphere is not None:
+                    yield sphere, force.getStiffness(), 0.0, np.inf

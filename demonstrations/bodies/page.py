@@ -5,14 +5,16 @@ from pathlib import Path
 
 TABLE = Path(__file__).resolve().parent / "bodies.csv"
 BEGIN, END = "<!-- begin bodies -->\n", "<!-- end bodies -->"
-MODELS = {
-    "v40000_moco_2d_gait.osim": "Moco 2-D",
-    "v40000_falisse_2022_human.osim": "Falisse",
-    "v40000_dhondt_2024_3seg_human.osim": "D'Hondt",
-    "v40000_opencap_lai_arnold_crlf.osim": "OpenCap",
+# The ways, and what radii and α follow in each.
+CONTACTS = {
+    "left": "left|–|–",
+    "mass": "mass|mass|either",
+    "places": "places|foot|radius",
+    "places-alpha": "places|foot|mass",
+    "places-radii": "places|mass|either",
 }
-CONTACTS = {"left": "left", "mass": "mass", "places": "places"}
 RATIOS = ("peak_force_bw", "time_to_rest_s")
+OFFSETS = {"depth": 1, "pressure_m": 1000}
 BUILDS = ("similar", "child", "long feet", "short feet")
 
 
@@ -22,22 +24,25 @@ def read(path):
         return list(csv.DictReader(file))
 
 
+def differences(rows, build, contacts):
+    """For each model at a build, or at all: ratios of peak force and time to rest, differences of depth and pressure (mm)."""
+    for row in rows:
+        if row["contacts"] == contacts and row["build"] in ((build,) if build != "all" else BUILDS):
+            original = next(one for one in rows if (one["model"], one["build"]) == (row["model"], "original"))
+            pairs = {name: (float(row[name]), float(original[name])) for name in (*RATIOS, *OFFSETS)}
+            ratios = {name: pairs[name][0] / pairs[name][1] for name in RATIOS}
+            yield ratios | {name: factor * (pairs[name][0] - pairs[name][1]) for name, factor in OFFSETS.items()}
+
+
 def block(rows):
-    """Each build: the range over the models, against each one's original."""
-    yield "|build|contacts|peak force|time to rest|depth off|pressure off (mm)|"
-    yield "|---|---|---|---|---|---|"
-    for build in BUILDS:
+    """Each build, and all of them: the range over the models, against each one's original."""
+    yield "|build|contacts|radii by|α by|peak force|time to rest|depth off|pressure off (mm)|"
+    yield "|---|---|---|---|---|---|---|---|"
+    for build in (*BUILDS, "all"):
         for contacts, name in CONTACTS.items():
-            selected = [row for row in rows if (row["build"], row["contacts"]) == (build, contacts)]
-            pairs = [(row, _original(rows, row["model"])) for row in selected]
-            cells = [_range([float(ours[what]) / float(theirs[what]) for ours, theirs in pairs]) for what in RATIOS]
-            cells.append(_range([float(ours["depth"]) - float(theirs["depth"]) for ours, theirs in pairs]))
-            off = [1000 * (float(ours["pressure_m"]) - float(theirs["pressure_m"])) for ours, theirs in pairs]
-            yield f"|{build}|{name}|{'|'.join([*cells, _range(off, 0)])}|"
-
-
-def _original(rows, model):
-    return next(row for row in rows if (row["model"], row["build"]) == (model, "original"))
+            found = list(differences(rows, build, contacts))
+            cells = [_range([one[what] for one in found]) for what in (*RATIOS, "depth")]
+            yield f"|{build}|{name}|{'|'.join([*cells, _range([one['pressure_m'] for one in found], 0)])}|"
 
 
 def _range(values, digits=2):

@@ -29,7 +29,7 @@ def test_one_model_falls_as_the_table_says(tmp_path):
     process = subprocess.run([sys.executable, HERE / "bodies.py", *map(str, words)], capture_output=True, text=True)
     assert process.returncode == 0, process.stderr
     committed, found = read(HERE / "bodies.csv"), read(tmp_path / "bodies.csv")
-    assert len(found) == 3
+    assert len(found) == 5
     for key, row in found.items():
         for name in ("mass_kg", "radius_m", "peak_force_bw", "depth", "pressure_m", "carrying"):
             assert float(row[name]) == pytest.approx(float(committed[key][name]), rel=DIGITS, abs=1e-9), (key, name)
@@ -44,7 +44,7 @@ def test_a_similar_body_falls_like_the_original_with_places_and_not_without():
             away = [
                 abs(float(row[name]) / float(original[name]) - 1) for name in ("peak_force_bw", "depth", "pressure_m")
             ]
-            assert max(away) < 1e-4 if contacts == "places" else max(away) > 0.02, (model, contacts, away)
+            assert max(away) < 1e-4 if contacts.startswith("places") else max(away) > 0.02, (model, contacts, away)
 
 
 def test_the_page_says_what_the_committed_table_says():
