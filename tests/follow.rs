@@ -352,6 +352,38 @@ fn radii_follow_the_given_axis() {
 }
 
 #[test]
+fn where_radii_by_mass_and_by_bones_part_a_remark_says_what_each_keeps() {
+    // The bones are x (1.02 · 0.9 · 0.95)^(1/3) = x0.955. 75 kg are x (75/62)^(1/3) = x1.07; 1.1 times the bones are 71.97 kg.
+    let dir = generic_and_scaled("smooth");
+    let remarks = |options: &str| {
+        let report = dry_run_plan(&dir, options);
+        let remarks = report["remarks"].as_array().unwrap().iter().map(|remark| remark.as_str().unwrap());
+        remarks.filter(|remark| remark.starts_with("radii follow")).map(str::to_owned).collect::<Vec<_>>()
+    };
+    assert_eq!(
+        remarks("--mass 75 --radius follow"),
+        [
+            "radii follow the bones (x0.955), and mass^(1/3) is x1.07: this keeps depth and pressure under the foot; \
+          --radius isometric --level keeps the peak force of falls from heights in proportion to mass^(1/3)"
+        ]
+    );
+    assert_eq!(
+        remarks("--mass 75 --radius isometric"),
+        [
+            "radii follow mass^(1/3) (x1.07), and the bones are x0.955: this keeps the peak force of falls from heights in \
+          proportion to mass^(1/3); --radius follow keeps depth and pressure under the foot"
+        ]
+    );
+    for radius in ["--radius follow", "--radius isometric"] {
+        assert_eq!(remarks(&format!("{radius} --mass 72.1")).len(), 1);
+        assert_eq!(remarks(&format!("{radius} --mass 71.9")).len(), 0);
+    }
+    for rule in ["--radius keep", "--radius 0.03", "--keep radius", "--rule predsim"] {
+        assert_eq!(remarks(&format!("--mass 75 {rule}")).len(), 0, "{rule}");
+    }
+}
+
+#[test]
 fn the_predsim_rule_scales_stiffness_and_dissipation() {
     let dir = generic_and_scaled("smooth");
     let report = dry_run_plan(&dir, "--rule predsim");

@@ -40,8 +40,9 @@ function results = transfer(varargin)
 %     mass: Mass of this model, kg [default: the sum of its bodies]. Takes a number.
 %     exclude_body: Leave these bodies out of the sum (props, platforms). Takes a text or a cell array
 %         of texts.
-%     radius: Radii: keep, isometric (as large against the body as the reference's), a radius in metres,
-%         or a factor like x1.5 [default: keep]. Takes a number or a text.
+%     radius: Radii: keep, isometric (as large against the body as the reference's), follow (with the
+%         factors of bodies, by radius_axis), a radius in metres, or a factor like x1.5 [default: keep,
+%         or follow with follow_bodies]. Takes a number or a text.
 %     level: Keep the soles: where a radius changes, move the centre so that the lowest point of the
 %         sphere stays. Takes true or false.
 %     level_axis: The axis of the spheres' frames that points up with the foot flat [default: nearest to

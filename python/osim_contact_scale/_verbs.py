@@ -1799,8 +1799,9 @@ def transfer(
     exclude_body : str or list of str, optional
         Leave these bodies out of the sum (props, platforms); one or several in a list.
     radius : float or str, optional
-        Radii: keep, isometric (as large against the body as the reference's), a radius in metres, or a factor
-        like x1.5 [default: keep]
+        Radii: keep, isometric (as large against the body as the reference's), follow (with the factors of bodies,
+        by `radius_axis`), a radius in metres, or a factor like x1.5 [default: keep, or follow with
+        `follow_bodies`]
     level : bool, optional
         Keep the soles: where a radius changes, move the centre so that the lowest point of the sphere stays.
     level_axis : {"x", "y", "z", "-x", "-y", "-z"}, optional

@@ -82,6 +82,15 @@ fn radii_of_followed_spheres_may_follow_another_rule() {
     assert!(
         !plan_with_kept["changes"].as_array().unwrap().iter().any(|change| change["property"] == "radius")
     );
+    for call in [
+        "transfer scaled.osim --from generic.osim --radius follow",
+        "scaled.osim --contacts-mass 62 --target-mass 52 --radius follow",
+    ] {
+        let refused = dir.run(call).usage_error();
+        assert_stderr_has(&refused, &["--radius follow is for transfer with --follow-bodies"]);
+    }
+    let designed = dir.run("design scaled.osim --indentation 0.1 --radius follow").usage_error();
+    assert_stderr_has(&designed, &["--radius follow is not possible here"]);
     let factor = dir.run(&format!("{CALL_OF_TRANSFER} --radius x1.5")).usage_error();
     assert_stderr_has(
         &factor,

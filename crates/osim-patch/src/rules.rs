@@ -1,8 +1,11 @@
 //! Rules of the findings about changes.
 
 use contact_scaling::Ratios;
-use osim_model::messages::{Input, Phrase, Verb, four_significant, phrase, readable};
-use osim_model::{Example, Finding, Force, ForceId, ForceKind, Mass, Property, PropertySet, Repair, Rule};
+use osim_model::compare::Follow;
+use osim_model::messages::{Input, Phrase, Verb, four_significant, phrase, readable, three_significant};
+use osim_model::{
+    Example, Finding, Force, ForceId, ForceKind, Mass, Property, PropertySet, RadiusRule, Repair, Rule,
+};
 
 use crate::builder::PlanBuilder;
 use crate::radii::Radii;
@@ -65,8 +68,8 @@ rule! { pub(crate) FACTOR_SPREAD: FactorSpread, Warning;
     advice: "Give each sphere its own force, or accept it; `strict` refuses instead",
     repair: Repair::OnlyInChange("forces cannot be divided yet: only numbers are changed"),
     example: Example::Request {
-        good: r#"{"verb": "transfer", "models": ["scale_tool/scaled_hunt_crossley.osim"], "from": "scale_tool/generic_hunt_crossley.osim", "follow_bodies": true}"#,
-        bad: r#"{"verb": "transfer", "models": ["scale_tool/scaled_hunt_crossley.osim"], "from": "scale_tool/generic_hunt_crossley.osim", "follow_bodies": true, "body_scale": {"toes_r": 1.1}}"# },
+        good: r#"{"verb": "transfer", "models": ["scale_tool/scaled_hunt_crossley.osim"], "from": "scale_tool/generic_hunt_crossley.osim", "follow_bodies": true, "radius": "follow"}"#,
+        bad: r#"{"verb": "transfer", "models": ["scale_tool/scaled_hunt_crossley.osim"], "from": "scale_tool/generic_hunt_crossley.osim", "follow_bodies": true, "radius": "follow", "body_scale": {"toes_r": 1.1}}"# },
 }
 
 /// Largest relative difference of factors that count as equal.
@@ -176,8 +179,13 @@ pub(crate) fn warn_forces(plan: &mut PlanBuilder<'_>, forces: &[ForceId], proper
     plan.findings.extend(friction_not_similar(chosen, properties));
 }
 
-/// Dissipation scaled by radius and by mass (14) differs clearly if one is more than this many times the other.
-const CLEAR_DISSIPATION_RATIO: f64 = 1.1;
+/// Two rules of size differ clearly if one gives more than this many times the other.
+const CLEAR_RATIO: f64 = 1.1;
+
+/// Whether the ratio of two sizes is clearly not 1.
+fn are_apart(ratio: f64) -> bool {
+    ratio > CLEAR_RATIO || ratio * CLEAR_RATIO < 1.0
+}
 
 /// The beginning of the remark on dissipation by radius and by mass, by which it is recognised.
 const START_OF_FORMS: &str = "(14) has two forms: ";
@@ -186,8 +194,7 @@ const START_OF_FORMS: &str = "(14) has two forms: ";
 pub fn forms_of_dissipation(ratios: &Ratios, from: f64) -> Option<String> {
     let [by_radius, by_mass] =
         [ratios.dissipation(), ratios.dissipation_by_mass()].map(|factor| from * factor);
-    let apart = by_radius / by_mass;
-    (apart > CLEAR_DISSIPATION_RATIO || apart * CLEAR_DISSIPATION_RATIO < 1.0).then(|| {
+    are_apart(by_radius / by_mass).then(|| {
         format!(
             "{START_OF_FORMS}{} s/m by radius keeps the restitution after falls of equal height over radius, {} s/m by mass that at speeds \
              in proportion to M^(1/6)",
@@ -201,6 +208,30 @@ pub fn forms_of_dissipation(ratios: &Ratios, from: f64) -> Option<String> {
 pub(crate) fn remark_on_dissipation(remarks: &mut Vec<Phrase>, ratios: &Ratios, from: f64) {
     let is_new = !remarks.iter().any(|remark| remark.to_string().starts_with(START_OF_FORMS));
     remarks.extend(forms_of_dissipation(ratios, from).filter(|_| is_new).map(Phrase::from));
+}
+
+/// A remark that radii follow the mass, or the bones in `follow`, if the two rules are clearly different, and what each keeps. `by_mass` is
+/// the ratio of isometric radii.
+pub(crate) fn remark_on_radii(follow: &Follow, radius: RadiusRule, by_mass: f64) -> Option<Phrase> {
+    if !are_apart(follow.size_ratio / by_mass) {
+        return None;
+    }
+    let [by_mass, bones] = [by_mass, follow.size_ratio].map(three_significant);
+    let (force, depth) = (
+        "the peak force of falls from heights in proportion to mass^(1/3)",
+        "depth and pressure under the foot",
+    );
+    match radius {
+        RadiusRule::Isometric => Some(phrase![
+            "radii follow mass^(1/3) (x{by_mass}), and the bones are x{bones}: this keeps {force}; {} keeps {depth}";
+            Input::Radius.with_value("follow")
+        ]),
+        _ if follow.has_radii_of_bodies => Some(phrase![
+            "radii follow the bones (x{bones}), and mass^(1/3) is x{by_mass}: this keeps {depth}; {} {} keeps {force}";
+            Input::Radius.with_value("isometric"), Input::Level
+        ]),
+        _ => None,
+    }
 }
 
 /// A remark on how far the lowest points of spheres move, if radii change and centres do not.

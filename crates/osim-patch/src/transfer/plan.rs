@@ -95,6 +95,12 @@ pub fn transfer(model: &Model, selected: &Selected, wanted: &Transfer) -> Result
             force.kind == ForceKind::SmoothSphereHalfSpace && from.contact.smoothing().is_none();
         target.plan(&mut plan, wanted)?;
     }
+    if let Some(follow) = &wanted.follow
+        && wanted.rule == ScalingRule::Paper
+        && wanted.properties.contains(Property::Radius)
+    {
+        plan.remarks.extend(rules::remark_on_radii(follow, wanted.radius, isometric));
+    }
     if wanted.follow.is_some() || wanted.rule != ScalingRule::Paper {
         plan.remarks.extend(compare_with_reference(model, selected, wanted, &chosen, &radii, gravity));
     }

@@ -6,7 +6,7 @@ use osim_model::messages::{Input, Phrase, phrase, readable};
 use osim_model::{RadiusRule, Suspicion, YesQuestion};
 use osim_requests::options::AnswerOptions;
 use osim_requests::{
-    Count, DesignRequest, Kilograms, PoissonRatio, Positive, RelativeIndentation, RequestFault,
+    Count, DesignRequest, Kilograms, PoissonRatio, Positive, Radius, RelativeIndentation, RequestFault,
     RestitutionCoefficient,
 };
 
@@ -82,9 +82,9 @@ impl DesignInputs {
     /// The radius is relative to a model, or body weights are given without a mass.
     pub(super) fn new(request: &DesignRequest) -> Result<Self, RequestFault> {
         let wanted = &request.clone().with_indentation_of_stiffness()?.wanted;
-        let radius_m = match wanted.radius() {
+        let radius_m = match wanted.radius.map(Radius::rule) {
             None => None,
-            Some(RadiusRule::Metres(metres)) => {
+            Some(Some(RadiusRule::Metres(metres))) => {
                 require_plausible_radius(metres, &request.answers)?;
                 Some(metres)
             }

@@ -9,7 +9,7 @@ use osim_model::{
 use osim_patch::{Design, DesignModulus, Plan, design};
 use osim_requests::options::{CountOptions, InspectionOptions, LoadOptions, WantedOptions};
 use osim_requests::{
-    ConstantIndentation, DesignRequest, PoissonRatio, Positive, RelativeIndentation, RequestFault,
+    ConstantIndentation, DesignRequest, PoissonRatio, Positive, Radius, RelativeIndentation, RequestFault,
     RestitutionCoefficient,
 };
 
@@ -77,9 +77,10 @@ fn refuse_useless_options(request: &DesignRequest) -> Result<(), RequestFault> {
         ];
         return Err(RequestFault::general(why));
     }
-    if wanted.radius() == Some(RadiusRule::Isometric) {
+    let without_size = |radius: &Radius| matches!(radius.rule(), None | Some(RadiusRule::Isometric));
+    if let Some(radius) = wanted.radius.filter(without_size) {
         let why = phrase![
-            Input::Radius.with_value("isometric"),
+            Input::Radius.with_value(radius.to_string()),
             " is not possible here, expected keep, a radius in metres or a factor like x1.5",
         ];
         return refused(Input::Radius, why);

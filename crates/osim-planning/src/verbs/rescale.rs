@@ -9,7 +9,7 @@ use osim_model::{
 };
 use osim_patch::{OPERATION_FOLLOWING_NOTE, OPERATION_FOLLOWING_SCALE_FILE, Plan, Rescale, rescale};
 use osim_requests::options::{InspectionOptions, ScalingOptions};
-use osim_requests::{Acceleration, Radius, RequestError, RequestFault, RescaleRequest};
+use osim_requests::{Acceleration, RequestError, RequestFault, RescaleRequest};
 
 use crate::opening::read_scale_file;
 use crate::prepared_change::{Planner, PreparedChange};
@@ -53,6 +53,7 @@ pub(crate) fn prepare_with_factors(
         ));
     };
     scaling.check()?;
+    scaling.refuse_radii_of_bodies()?;
     let target_mass_kg = Some(target_mass.get());
     let target_gravity_m_s2 = scaling.target_gravity.map(Acceleration::get);
     let planner = RescalePlanner {
@@ -80,7 +81,7 @@ impl Planner for RescalePlanner {
     fn plan(&self, model: &Model) -> Result<Plan, Fault> {
         let selected = self.selection.apply(model)?;
         let scaling = &self.scaling;
-        let radius = scaling.radius.map(Radius::rule);
+        let radius = scaling.radius();
         let operation = operation_with_radius(self.following.operation(), radius);
         if matches!(radius, Some(RadiusRule::Factor(_))) {
             refuse_repetition(model, &operation, self.may_repeat)?;

@@ -13,7 +13,7 @@ use osim_model::{
 };
 use osim_patch::{OPERATION_FOLLOWING_BODIES, Plan, Reference, ScalingRule, Transfer, transfer};
 use osim_requests::options::{CountOptions, FollowOptions, InspectionOptions, RuleChoice, ScalingOptions};
-use osim_requests::{Acceleration, Kilograms, Positive, Radius, RequestError, RequestFault, TransferRequest};
+use osim_requests::{Acceleration, Kilograms, Positive, RequestError, RequestFault, TransferRequest};
 
 use super::reference::{
     GenericModel, MassOfPublished, reference_from_file, reference_of_opened, reference_of_preset,
@@ -139,7 +139,10 @@ fn refuse_useless_options(request: &TransferRequest) -> Result<(), RequestFault>
 /// Refuses combinations of options for radii and places that make no sense.
 fn refuse_senseless_radii(request: &TransferRequest) -> Result<(), RequestFault> {
     let (scaling, follow) = (&request.scaling, &request.follow);
-    let rule = scaling.radius.map(Radius::rule);
+    if !follow.follow_bodies {
+        scaling.refuse_radii_of_bodies()?;
+    }
+    let rule = scaling.radius();
     let stays =
         !scaling.properties().contains(Property::Radius) || matches!(rule, None | Some(RadiusRule::Keep));
     if scaling.level && !follow.follow_bodies && stays {
@@ -217,7 +220,7 @@ impl TransferPlanner {
         };
         let (in_model, in_reference, only_ratio_known) =
             self.sphere_counts(model, selected, reference, generic)?;
-        let radius = self.scaling.radius.map(Radius::rule);
+        let radius = self.scaling.radius();
         let verb = if follow.is_some() { OPERATION_FOLLOWING_BODIES } else { "transfer" };
         let operation = operation_with_radius(verb, radius);
         if matches!(radius, Some(RadiusRule::Factor(_))) {
@@ -262,7 +265,7 @@ impl TransferPlanner {
             moved: self.follow.rule_for_moved_spheres(),
             ..FollowRequest::default()
         };
-        let rule = self.scaling.radius.map(Radius::rule);
+        let rule = self.scaling.radius();
         wanted.keep_radii =
             !self.scaling.properties().contains(Property::Radius) || rule == Some(RadiusRule::Keep);
         wanted.own_radii = match rule {

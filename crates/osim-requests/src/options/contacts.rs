@@ -69,9 +69,9 @@ fields! {
 }
 
 impl WantedOptions {
-    /// The rule for the radius, if given.
+    /// The rule for the radius, if one is given and it is not that radii follow bodies.
     pub fn radius(&self) -> Option<RadiusRule> {
-        self.radius.map(Radius::rule)
+        self.radius.and_then(Radius::rule)
     }
 
     /// Whether an option is given from which a contact can be computed.

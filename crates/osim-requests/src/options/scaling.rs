@@ -6,6 +6,7 @@ use std::path::PathBuf;
 use osim_model::messages::{Input, phrase};
 use osim_model::{
     Axis, DissipationBy, ForceKind, LevelAxis, MovedSpheres, Pattern, Property, PropertySet, RadiusAxis,
+    RadiusRule,
 };
 
 use crate::fault::RequestFault;
@@ -158,6 +159,25 @@ impl ScalingOptions {
     pub fn level_axis(&self, gravity: Option<[f64; 3]>) -> Option<LevelAxis> {
         let axis = || self.level_axis.map_or_else(|| LevelAxis::of_gravity(gravity), AxisChoice::axis);
         self.level.then(axis)
+    }
+
+    /// The rule for new radii, if one is given and it is not that radii follow bodies.
+    pub fn radius(&self) -> Option<RadiusRule> {
+        self.radius.and_then(Radius::rule)
+    }
+
+    /// Refuses radii that follow bodies, in a change in which they cannot.
+    pub fn refuse_radii_of_bodies(&self) -> Result<(), RequestFault> {
+        if self.radius != Some(Radius::FOLLOW) {
+            return Ok(());
+        }
+        let message = phrase![
+            Input::Radius.with_value("follow"),
+            " is for transfer with ",
+            Input::FollowBodies,
+            ", which knows how bodies were scaled",
+        ];
+        Err(RequestFault::refused(Input::Radius, message))
     }
 
     /// Whether dissipation follows the radius or the mass.

@@ -10,20 +10,23 @@ use osim_model::messages::{readable, shortest};
 use crate::values::serial::values_as_text;
 use crate::values::typed_numbers::{LENGTH_UNITS, factor, not_negative, plain_number, positive, trimmed};
 
-/// `isometric`, `keep`, metres, or a factor such as `x1.5`.
+/// `isometric`, `keep`, `follow`, metres, or a factor such as `x1.5`.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Radius(RadiusRule);
+pub struct Radius(Option<RadiusRule>);
 
 impl Radius {
-    /// The rule that gives the new radii.
-    pub const fn rule(self) -> RadiusRule {
+    /// Radii follow the factors of bodies. Only a transfer whose spheres follow their bodies has such radii.
+    pub const FOLLOW: Self = Self(None);
+
+    /// The rule that gives the new radii; `None` if they follow the factors of bodies.
+    pub const fn rule(self) -> Option<RadiusRule> {
         self.0
     }
 }
 
 impl From<RadiusRule> for Radius {
     fn from(rule: RadiusRule) -> Self {
-        Self(rule)
+        Self(Some(rule))
     }
 }
 
@@ -31,26 +34,30 @@ impl FromStr for Radius {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
+        if text == "follow" {
+            return Ok(Self::FOLLOW);
+        }
         let rule = match (text, factor(text)) {
             ("isometric", _) => Ok(RadiusRule::Isometric),
             ("keep", _) => Ok(RadiusRule::Keep),
             (_, Some(number)) => positive(number, "a factor like x1.5", &[]).map(RadiusRule::Factor),
             (_, None) => {
-                positive(text, "isometric, keep, a radius in metres or a factor like x1.5", LENGTH_UNITS)
-                    .map(RadiusRule::Metres)
+                let expected = "isometric, keep, follow, a radius in metres or a factor like x1.5";
+                positive(text, expected, LENGTH_UNITS).map(RadiusRule::Metres)
             }
         };
-        rule.map(Self)
+        rule.map(Self::from)
     }
 }
 
 impl fmt::Display for Radius {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.0 {
-            RadiusRule::Isometric => f.write_str("isometric"),
-            RadiusRule::Metres(metres) => f.write_str(&shortest(metres)),
-            RadiusRule::Factor(factor) => write!(f, "x{}", shortest(factor)),
-            _ => f.write_str("keep"),
+            None => f.write_str("follow"),
+            Some(RadiusRule::Isometric) => f.write_str("isometric"),
+            Some(RadiusRule::Keep) => f.write_str("keep"),
+            Some(RadiusRule::Metres(metres)) => f.write_str(&shortest(metres)),
+            Some(RadiusRule::Factor(factor)) => write!(f, "x{}", shortest(factor)),
         }
     }
 }
@@ -228,10 +235,10 @@ impl fmt::Display for UsualErrors {
 values_as_text! {
     UsualErrors = {"type": "string", "pattern": "^[0-9.eE+-]+mm,[0-9.eE+-]+deg$"};
     Radius = {
-        "description": "`isometric`, `keep`, metres, or a factor such as `x1.5`.",
+        "description": "`isometric`, `keep`, `follow`, metres, or a factor such as `x1.5`.",
         "anyOf": [
             {"type": "number", "exclusiveMinimum": 0, "description": "metres"},
-            {"type": "string", "pattern": "^(isometric|keep|[xX][0-9.eE+-]+)$"},
+            {"type": "string", "pattern": "^(isometric|keep|follow|[xX][0-9.eE+-]+)$"},
         ],
     };
     NewRadius = {"anyOf": [
@@ -261,10 +268,11 @@ mod tests {
     #[test]
     fn a_radius_is_a_word_metres_or_a_factor() {
         for (text, rule) in [
-            ("isometric", RadiusRule::Isometric),
-            ("keep", RadiusRule::Keep),
-            ("x1.5", RadiusRule::Factor(1.5)),
-            ("0.032", RadiusRule::Metres(0.032)),
+            ("follow", None),
+            ("isometric", Some(RadiusRule::Isometric)),
+            ("keep", Some(RadiusRule::Keep)),
+            ("x1.5", Some(RadiusRule::Factor(1.5))),
+            ("0.032", Some(RadiusRule::Metres(0.032))),
         ] {
             let radius: Radius = text.parse().unwrap();
             assert_eq!((radius.rule(), radius.to_string().as_str()), (rule, text));

@@ -98,6 +98,8 @@ pub struct Follow {
     spheres: BTreeMap<SphereId, FollowedSphere>,
     /// Geometric mean of the factors of all bodies with spheres: the new size over the old size.
     pub size_ratio: f64,
+    /// Whether radii follow from the factors of bodies.
+    pub has_radii_of_bodies: bool,
 }
 
 impl Follow {
@@ -181,7 +183,8 @@ impl Follow {
             spheres.insert(id, place);
         }
         let size_ratio = if count > 0.0 { libm::exp(logarithms / count) } else { 1.0 };
-        Ok(Self { spheres, size_ratio })
+        let has_radii_of_bodies = !request.keep_radii && request.own_radii.is_none();
+        Ok(Self { spheres, size_ratio, has_radii_of_bodies })
     }
 }
 

@@ -265,8 +265,8 @@ pub(super) fn transfer(request: &AddRequest, from: &Path) -> TransferRequest {
     transfer.follow.body_scale.clone_from(&request.body_scale);
     transfer.scaling.radius = match request.radius {
         NewRadius::Metres(metres) => Some(Radius::from(RadiusRule::Metres(metres))),
-        NewRadius::Follow => None,
-        _ => Some(Radius::from(RadiusRule::Isometric)),
+        NewRadius::Follow => Some(Radius::FOLLOW),
+        NewRadius::Isometric => Some(Radius::from(RadiusRule::Isometric)),
     };
     transfer
 }
