@@ -180,7 +180,7 @@ fn an_undetermined_factor_must_be_given() {
     let with_toes =
         format!("{CALL_OF_TRANSFER} --body-scale toes_r=1.02,0.9,0.95 --body-scale toes_l=1.02,0.9,0.95");
     assert_refused(&dir, &with_toes, &["calcn_r", "along z"]);
-    let options = "--body-scale toes_r=1.02,0.9,0.95 --body-scale toes_l=1.02,0.9,0.95 --body-scale calcn_r=1.02,0.9,0.95";
+    let options = "--body-scale toes_r=1.02,0.9,0.95 --body-scale toes_l=1.02,0.9,0.95 --body-scale calcn_r=1.02,0.9,0.95 --radius follow";
     assert_close_place(
         &planned_value(&dry_run_plan(&dir, options), "heel_r", "location"),
         [-0.0102, -0.036, 0.00475],
@@ -191,7 +191,7 @@ fn an_undetermined_factor_must_be_given() {
 fn the_first_source_of_factors_is_used_and_disagreement_is_reported() {
     let dir = generic_and_scaled("smooth");
     set_mesh_factors(&dir, "scaled.osim", "calcn_r", "1.02 0.95 0.95");
-    let report = dry_run_plan(&dir, "--body-scale-file applied.xml");
+    let report = dry_run_plan(&dir, "--body-scale-file applied.xml --radius follow");
     assert!(finding_codes(&report).contains(&"factors-disagree"));
     assert_close_place(&planned_value(&report, "heel_r", "location"), [-0.0102, -0.036, 0.00475]);
     // Without the file, no factor explains mesh and joint.
@@ -206,7 +206,7 @@ fn the_first_source_of_factors_is_used_and_disagreement_is_reported() {
         !finding_codes(&dry_run_plan(&scaled_copy, "--body-scale calcn_r=1.02,0.908,0.95"))
             .contains(&"factors-disagree")
     );
-    let report = dry_run_plan(&scaled_copy, "--body-scale calcn_r=1.02,0.91,0.95");
+    let report = dry_run_plan(&scaled_copy, "--body-scale calcn_r=1.02,0.91,0.95 --radius follow");
     assert!(finding_codes(&report).contains(&"factors-disagree"), "1.1 %");
     assert_close_place(&planned_value(&report, "heel_r", "location"), [-0.0102, -0.0364, 0.00475]);
     for body in ["calcn_r", "calcn_l"] {
@@ -230,7 +230,7 @@ fn moved_or_resized_spheres_need_keep_or_replace() {
             CALL_OF_TRANSFER,
             &["heel_r", "--moved-spheres keep", "--moved-spheres replace", "[moved-spheres]"],
         );
-        let replaced = dry_run_plan(&dir, "--moved-spheres replace");
+        let replaced = dry_run_plan(&dir, "--moved-spheres replace --radius follow");
         assert_close_place(&planned_value(&replaced, "heel_r", "location"), [-0.0102, -0.036, 0.00475]);
         assert_close(&planned_value(&replaced, "heel_r", "radius"), 0.030_573_048_163_784_02);
         let plan_with_kept = dry_run_plan(&dir, "--moved-spheres keep");
@@ -259,20 +259,43 @@ fn a_model_after_follow_bodies_is_recognised() {
 
 #[test]
 fn parameters_agree_with_the_paper() {
-    let report = dry_run_plan(&generic_and_scaled("smooth"), "");
-    for (property, expected) in [
-        ("stiffness", 1_837_655.613_115_876_4),
-        ("dissipation", 2.046_141_267_854_657_6),
-        ("constant_contact_force", 9.128_039_785_400_951e-6),
-        ("hertz_smoothing", 314.002_056_601_339_86),
-        ("hunt_crossley_smoothing", 51.153_531_696_366_436),
+    // Radii by (52/62)^(1/3), with bottoms on the scaled sole, and radii by the foot.
+    for (options, [stiffness, dissipation, force, hertz, hunt_crossley], place) in [
+        (
+            "",
+            [
+                1_886_110.851_387_688,
+                2.059_498_057_363_586_5,
+                8.893_535_359_305_973e-6,
+                318.114_918_621_329,
+                51.487_451_434_089_67,
+            ],
+            [0.012_659_574_174_317_836, -0.027_430_012_677_953_958, 0.017_727_474_783_552_12],
+        ),
+        (
+            "--radius follow",
+            [
+                1_837_655.613_115_876_4,
+                2.046_141_267_854_657_6,
+                9.128_039_785_400_951e-6,
+                314.002_056_601_339_86,
+                51.153_531_696_366_436,
+            ],
+            [0.011_190_745_890_090_035, -0.027_914_656_364_983_893, 0.018_338_133_644_451_395],
+        ),
     ] {
-        assert_close(&planned_value(&report, "contact_ball_r", property), expected);
+        let report = dry_run_plan(&generic_and_scaled("smooth"), options);
+        for (property, expected) in [
+            ("stiffness", stiffness),
+            ("dissipation", dissipation),
+            ("constant_contact_force", force),
+            ("hertz_smoothing", hertz),
+            ("hunt_crossley_smoothing", hunt_crossley),
+        ] {
+            assert_close(&planned_value(&report, "contact_ball_r", property), expected);
+        }
+        assert_close_place(&planned_value(&report, "ball_r", "location"), place);
     }
-    assert_close_place(
-        &planned_value(&report, "ball_r", "location"),
-        [0.011_190_745_890_090_035, -0.027_914_656_364_983_893, 0.018_338_133_644_451_395],
-    );
 }
 
 #[test]
@@ -280,13 +303,13 @@ fn level_keeps_the_lowest_points_on_the_scaled_sole() {
     let dir = generic_and_scaled("smooth");
     for (options, heel, ball, toe) in [
         (
-            "--level",
+            "--level --radius follow",
             [-0.0102, -0.034_226_951_836_215_99, 0.00475],
             [0.012_659_574_174_317_836, -0.027_034_738_136_372_95, 0.017_727_474_783_552_12],
             [0.0306, -0.023_426_951_836_215_98, -0.0038],
         ),
         (
-            "--level --level-axis z",
+            "--level --level-axis z --radius follow",
             [-0.0102, -0.036_000_000_000_000_004, 0.004_923_048_163_784_02],
             [0.011_385_132_268_790_465, -0.028_525_315_225_883_172, 0.018_556_986_496_414_053],
             [0.0306, -0.0252, -0.003_626_951_836_215_981_7],
@@ -319,7 +342,7 @@ fn level_uses_the_vertical_axis_of_a_rotated_frame() {
         dir.write(name, text);
     }
     // x: 0.9 (0.01 - 0.032) + R'; y: 1.02 (-0.03); z: 0.95 (0.02).
-    let place = planned_value(&dry_run_plan(&dir, "--level"), "ball_r", "location");
+    let place = planned_value(&dry_run_plan(&dir, "--level --radius follow"), "ball_r", "location");
     assert_close_place(&place, [0.010_773_048_163_784_02, -0.0306, 0.019]);
 }
 
@@ -364,7 +387,7 @@ fn where_radii_by_mass_and_by_bones_part_a_remark_says_what_each_keeps() {
         remarks("--mass 75 --radius follow"),
         [
             "radii follow the bones (x0.955), and mass^(1/3) is x1.07: this keeps depth and pressure under the foot; \
-          --radius isometric --level keeps the peak force of falls from heights in proportion to mass^(1/3)"
+          --radius isometric keeps the peak force of falls from heights in proportion to mass^(1/3)"
         ]
     );
     assert_eq!(
@@ -374,6 +397,7 @@ fn where_radii_by_mass_and_by_bones_part_a_remark_says_what_each_keeps() {
           proportion to mass^(1/3); --radius follow keeps depth and pressure under the foot"
         ]
     );
+    assert_eq!(remarks("--mass 75"), remarks("--mass 75 --radius isometric"));
     for radius in ["--radius follow", "--radius isometric"] {
         assert_eq!(remarks(&format!("{radius} --mass 72.1")).len(), 1);
         assert_eq!(remarks(&format!("{radius} --mass 71.9")).len(), 0);
@@ -411,7 +435,7 @@ fn the_predsim_rule_scales_stiffness_and_dissipation() {
 #[test]
 fn one_force_over_bodies_of_different_factors_gets_one_modulus() {
     let dir = generic_and_scaled("hunt_crossley");
-    let options = "--body-scale toes_r=1.1,1.1,1.1";
+    let options = "--body-scale toes_r=1.1,1.1,1.1 --radius follow";
     let report = dry_run_plan(&dir, options);
     assert!(finding_codes(&report).contains(&"factor-spread"));
     assert_close(&planned_value(&report, "toe_r", "radius"), 0.0352);
@@ -423,7 +447,7 @@ fn one_force_over_bodies_of_different_factors_gets_one_modulus() {
         &format!("{CALL_OF_TRANSFER} {options} --strict"),
         &["contact_foot_r", "15.1 %", "--strict"],
     );
-    let strict_plan = dry_run_plan(&dir, "--strict");
+    let strict_plan = dry_run_plan(&dir, "--strict --radius follow");
     assert!(!finding_codes(&strict_plan).contains(&"factor-spread"));
     // If each sphere has a force, each force follows one body.
     let one_force_each = TestDir::with(&[
@@ -445,6 +469,7 @@ fn spheres_of_several_materials_keep_their_ratios() {
         .filter(|name| text.contains(&format!("<Body name=\"{name}\">")))
         .collect();
     let options: String = bodies.iter().map(|body| format!(" --body-scale {body}=2,2,2")).collect();
+    let options = format!("{options} --radius follow");
     let report = dry_run_plan(&dir, &options);
     let changes_of = |property: &str| {
         let changes = report["changes"].as_array().unwrap().iter();
@@ -512,7 +537,7 @@ fn version_3_models_have_factors_in_visible_objects_and_joints() {
     {
         assert_close(value, expected);
     }
-    let report = dry_run_plan(&dir, "--spheres 1 --reference-spheres 1");
+    let report = dry_run_plan(&dir, "--spheres 1 --reference-spheres 1 --radius follow");
     assert_close_place(&planned_value(&report, "heel", "location"), [0.02, -0.03, 0.03]);
     assert_close(&planned_value(&report, "heel", "radius"), 0.04 * 3.0_f64.cbrt());
 }

@@ -48,9 +48,9 @@ MODELS = {
 }
 # Options of the transfer with places. With radii by mass, (14) by radius and by mass are one.
 PLACES = {
-    "places": {},
-    "places-alpha": {"dissipation_by": "mass"},
-    "places-radii": {"radius": "isometric", "level": True},
+    "places": {"radius": "follow"},
+    "places-alpha": {"radius": "follow", "dissipation_by": "mass"},
+    "places-radii": {},
 }
 CONTACTS = ("left", "mass", *PLACES)
 

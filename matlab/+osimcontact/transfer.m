@@ -25,8 +25,8 @@ function results = transfer(varargin)
 %         or false.
 %     body_scale_file: The ScaleSet that the Scale Tool applied (its output_scale_file). Takes a text.
 %     body_scale: Factors of a body. Takes a struct or containers.Map, a text or a cell array of these.
-%     radius_axis: How the radius of a sphere follows from the three factors of its body [default:
-%         'geomean']. Takes 'x' or 'y' or 'z' or 'geomean' or 'min' or 'max'.
+%     radius_axis: How the radius of a sphere follows from the three factors of its body. Takes 'x' or
+%         'y' or 'z' or 'geomean' or 'min' or 'max'.
 %     moved_spheres: Spheres that were moved or resized already: keep them, or place them again. Takes
 %         'keep' or 'replace'.
 %     strict: Refuse where spheres of one force follow bodies with different factors. Takes true or
@@ -41,10 +41,10 @@ function results = transfer(varargin)
 %     exclude_body: Leave these bodies out of the sum (props, platforms). Takes a text or a cell array
 %         of texts.
 %     radius: Radii: keep, isometric (as large against the body as the reference's), follow (with the
-%         factors of bodies, by radius_axis), a radius in metres, or a factor like x1.5 [default: keep,
-%         or follow with follow_bodies]. Takes a number or a text.
+%         factors of bodies, by radius_axis), a radius in metres, or a factor like x1.5 [default: keep;
+%         isometric with follow_bodies]. Takes a number or a text.
 %     level: Keep the soles: where a radius changes, move the centre so that the lowest point of the
-%         sphere stays. Takes true or false.
+%         sphere stays, as isometric radii do with follow_bodies without it. Takes true or false.
 %     level_axis: The axis of the spheres' frames that points up with the foot flat [default: nearest to
 %         -gravity]. Takes 'x' or 'y' or 'z' or '-x' or '-y' or '-z'.
 %     only: Only these properties, separated by commas (OpenSim's names, and radius). Takes a text or a

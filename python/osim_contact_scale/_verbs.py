@@ -1800,10 +1800,11 @@ def transfer(
         Leave these bodies out of the sum (props, platforms); one or several in a list.
     radius : float or str, optional
         Radii: keep, isometric (as large against the body as the reference's), follow (with the factors of bodies,
-        by `radius_axis`), a radius in metres, or a factor like x1.5 [default: keep, or follow with
+        by `radius_axis`), a radius in metres, or a factor like x1.5 [default: keep; isometric with
         `follow_bodies`]
     level : bool, optional
-        Keep the soles: where a radius changes, move the centre so that the lowest point of the sphere stays.
+        Keep the soles: where a radius changes, move the centre so that the lowest point of the sphere stays, as
+        isometric radii do with `follow_bodies` without it.
     level_axis : {"x", "y", "z", "-x", "-y", "-z"}, optional
         The axis of the spheres' frames that points up with the foot flat [default: nearest to -gravity]
     only : str or list of str, optional

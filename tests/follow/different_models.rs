@@ -45,10 +45,10 @@ fn body_factors(inspection: &Value, body: &str) -> Value {
 #[test]
 fn a_moved_joint_of_a_body_without_spheres_is_only_a_warning() {
     let dir = generic_and_scaled("smooth");
-    assert!(!finding_codes(&dry_run_plan(&dir, "")).contains(&"not-a-scaled-copy"));
+    assert!(!finding_codes(&dry_run_plan(&dir, "--radius follow")).contains(&"not-a-scaled-copy"));
     // A factor of -0 along x: SCONE's femurs against Falisse's.
     move_knee(&dir);
-    let report = dry_run_plan(&dir, "");
+    let report = dry_run_plan(&dir, "--radius follow");
     assert!(finding_codes(&report).contains(&"not-a-scaled-copy"), "{}", findings_of_report(&report));
     assert!(
         findings_of_report(&report).contains("joint tibia_r_joint is at x = 0.00000 m on femur_r"),
@@ -67,7 +67,7 @@ fn meshes_of_one_bone_match_under_other_names() {
     replace_in_file(&dir, "scaled.osim", ">toes_r.vtp<", ">Geometry/R_Toes.VTP<");
     replace_in_file(&dir, "scaled.osim", ">toes_l.vtp<", ">toes_lv.stl<");
     replace_in_file(&dir, "generic.osim", ">toes_l.vtp<", ">bones/toes.obj<");
-    let report = dry_run_plan(&dir, "");
+    let report = dry_run_plan(&dir, "--radius follow");
     assert!(
         !finding_codes(&report).contains(&"not-a-scaled-copy")
             && !finding_codes(&report).contains(&"factors-disagree")
@@ -98,7 +98,7 @@ fn different_factors_of_meshes_on_one_body_are_refused() {
     ];
     assert_refused(&dir, CALL_OF_TRANSFER, &words);
     // The answer, with one factor for all axes.
-    let report = dry_run_plan(&dir, "--body-scale calcn_r=1.5");
+    let report = dry_run_plan(&dir, "--radius follow --body-scale calcn_r=1.5");
     assert_close_place(&planned_value(&report, "heel_r", "location"), [-0.015, -0.06, 0.0075]);
     // Meshes of a body without spheres cause no question.
     let other = generic_and_scaled("smooth");
@@ -113,7 +113,10 @@ fn different_factors_of_meshes_on_one_body_are_refused() {
             &format!("{mesh}<Mesh name=\"femur_r_geom_1\">"),
         );
     }
-    assert_close_place(&planned_value(&dry_run_plan(&other, ""), "heel_r", "location"), SCALED_HEEL_PLACE);
+    assert_close_place(
+        &planned_value(&dry_run_plan(&other, "--radius follow"), "heel_r", "location"),
+        SCALED_HEEL_PLACE,
+    );
 }
 
 #[test]
@@ -131,7 +134,7 @@ fn both_sides_use_the_same_source_of_factors() {
             assert_close(axis, RATIO_OF_FOOT_LENGTHS);
         }
     }
-    let report = dry_run_plan(&dir, "");
+    let report = dry_run_plan(&dir, "--radius follow");
     assert_close_place(
         &planned_value(&report, "heel_r", "location"),
         [-0.01 * RATIO_OF_FOOT_LENGTHS, -0.04 * RATIO_OF_FOOT_LENGTHS, 0.005 * RATIO_OF_FOOT_LENGTHS],
@@ -154,7 +157,7 @@ fn the_last_body_gets_the_factors_of_its_parent() {
     let dir = generic_and_scaled("smooth");
     move_knee(&dir);
     replace_in_file(&dir, "scaled.osim", ">toes_r.vtp<", ">hoof.vtp<");
-    let report = dry_run_plan(&dir, "");
+    let report = dry_run_plan(&dir, "--radius follow");
     for (body, foot) in [("toes_r", "calcn_r"), ("toes_l", "calcn_l")] {
         let remark = format!("{body} takes the factors of {foot}, its parent body: 1.0200, 0.9000, 0.9500");
         assert!(remarks_of_report(&report).contains(&remark), "{}", remarks_of_report(&report));
@@ -184,10 +187,10 @@ fn different_factors_left_and_right_are_refused() {
             "[body-scale]",
         ],
     );
-    dry_run_plan(&dir, "--body-scale calcn_l=1.02,0.9,0.95");
+    dry_run_plan(&dir, "--radius follow --body-scale calcn_l=1.02,0.9,0.95");
     // A difference of 4.9 % is accepted.
     set_mesh_factors(&dir, "scaled.osim", "calcn_l", "1.0807 0.9 0.969");
-    dry_run_plan(&dir, "");
+    dry_run_plan(&dir, "--radius follow");
     // A scaled copy may have different sides: mesh and joint of the left foot both give exactly 1.09.
     let scaled_copy = generic_and_scaled("smooth");
     set_mesh_factors(&scaled_copy, "scaled.osim", "calcn_l", "1.1009 0.9 0.969");
@@ -197,7 +200,7 @@ fn different_factors_left_and_right_are_refused() {
         "0.17340000000000003 -0.010800000000000001 -0.0019",
         "0.1853 -0.0108 -0.0019",
     );
-    let report = dry_run_plan(&scaled_copy, "");
+    let report = dry_run_plan(&scaled_copy, "--radius follow");
     assert!(!finding_codes(&report).contains(&"not-a-scaled-copy"), "{}", findings_of_report(&report));
     assert_close_place(&planned_value(&report, "heel_l", "location"), [-0.0109, -0.036, -0.00475]);
     assert_close_place(&planned_value(&report, "heel_r", "location"), SCALED_HEEL_PLACE);
@@ -211,7 +214,7 @@ fn disagreeing_sources_are_reported_with_both_values() {
         // 1.2 along x where the joints say 1.02: Moco's 3D walking model, whose joints were never scaled.
         set_mesh_factors(&dir, "scaled.osim", body, "1.212 0.9 0.969");
     }
-    let report = dry_run_plan(&dir, "");
+    let report = dry_run_plan(&dir, "--radius follow");
     let text = findings_of_report(&report);
     for body in ["calcn_r", "calcn_l"] {
         assert!(text.contains(&format!("body {body}: mesh gives 1.19")), "{text}");
@@ -222,7 +225,7 @@ fn disagreeing_sources_are_reported_with_both_values() {
     for body in ["calcn_r", "calcn_l"] {
         set_mesh_factors(&dir, "scaled.osim", body, "1.0706 0.9 0.969");
     }
-    assert!(!finding_codes(&dry_run_plan(&dir, "")).contains(&"factors-disagree"));
+    assert!(!finding_codes(&dry_run_plan(&dir, "--radius follow")).contains(&"factors-disagree"));
 }
 
 #[test]
@@ -239,7 +242,9 @@ fn a_mesh_of_another_animal_with_the_same_name_is_refused() {
         if asks {
             assert_refused(&dir, CALL_OF_TRANSFER, &words);
         } else {
-            assert!(findings_of_report(&dry_run_plan(&dir, "")).contains("the first was used"));
+            assert!(
+                findings_of_report(&dry_run_plan(&dir, "--radius follow")).contains("the first was used")
+            );
         }
     }
 }
@@ -253,7 +258,10 @@ fn a_joint_near_the_origin_gives_no_factor() {
         replace_in_file(&dir, name, "</Mesh>", "</Brick>");
     }
     // 170 mm: the distance counts, and the toes hang on it.
-    assert_close(&planned_value(&dry_run_plan(&dir, ""), "toe_l", "radius"), 0.032 * RATIO_OF_FOOT_LENGTHS);
+    assert_close(
+        &planned_value(&dry_run_plan(&dir, "--radius follow"), "toe_l", "radius"),
+        0.032 * RATIO_OF_FOOT_LENGTHS,
+    );
     for (name, from) in [("generic.osim", "0.17000000000000001 "), ("scaled.osim", "0.17340000000000003 ")] {
         replace_in_file(&dir, name, from, "0.0149 ");
     }

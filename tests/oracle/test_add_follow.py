@@ -1,4 +1,5 @@
-"""On a copy that the real OpenSim has scaled, `remove` and `add --from GENERIC --radius follow` give what `transfer --follow-bodies` gives.
+"""On a copy that the real OpenSim has scaled, `remove` and `add --from GENERIC --radius follow` give what `transfer --follow-bodies` with
+the same radii gives.
 
 Forces with several spheres have one modulus there and one for each sphere here: theirs are compared where all bodies have one factor.
 """
@@ -40,7 +41,7 @@ def both_ways(path, factors, mass, folder, readings):
     for options in (
         ("remove", scaled, "-o", bare),
         ("add", bare, "--from", path, *mass_options, "--radius", "follow", "-o", added),
-        ("transfer", scaled, "--from", path, "--follow-bodies", "-o", followed),
+        ("transfer", scaled, "--from", path, "--follow-bodies", "--radius", "follow", "-o", followed),
     ):
         outcome = command.run(*options)
         assert outcome.status == 0, (options[0], outcome)

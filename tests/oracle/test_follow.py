@@ -140,8 +140,18 @@ def test_a_uniform_factor_scales_every_number_by_its_exponent(path, tmp_path, re
             check_near(after[place], value, place)
 
 
-def expected(generic, scaled_reading, factors, rotations):
-    """The numbers by the rule and R^T S R, computed in NumPy."""
+RADII = {"mass": (), "bones": ("--radius", "follow")}
+
+
+def axis_up(turned):
+    """The axis of a frame that is nearest to the y axis of its body."""
+    up = turned.T @ [0, 1, 0]
+    axis = np.argmax(np.abs(up))
+    return np.sign(up[axis]) * np.eye(3)[axis]
+
+
+def expected(generic, scaled_reading, factors, rotations, radii):
+    """The numbers by the rule of radii and R^T S R, computed in NumPy. With radii by mass, lowest points stay on the scaled sole."""
     mu = mass_of(scaled_reading) / mass_of(generic)
     old, wanted = numbers(generic), {}
     for force, spheres in contacts(generic):
@@ -150,10 +160,12 @@ def expected(generic, scaled_reading, factors, rotations):
             frame = rotations[sphere["path"].rsplit("/", 1)[-1]]
             turned, scale = np.array(frame["rows"]), np.array(factors[frame["body"]])
             radius, location = old[sphere["path"], None, "radius"], old[sphere["path"], None, "location"]
+            stretch = turned.T @ np.diag(scale) @ turned
             before.append(radius)
-            after.append(radius * np.prod(scale) ** (1 / 3))
+            after.append(radius * (mu if radii == "mass" else np.prod(scale)) ** (1 / 3))
+            down = axis_up(turned) * (radii == "mass")
             wanted[sphere["path"], None, "radius"] = after[-1]
-            wanted[sphere["path"], None, "location"] = turned.T @ np.diag(scale) @ turned @ location
+            wanted[sphere["path"], None, "location"] = stretch @ (location - radius * down) + after[-1] * down
         rho = np.sqrt(np.mean(np.square(after)) / np.mean(np.square(before)))
         factor = rules.factors(mu, rho)
         for name in rules.scaled_properties(force["type"]):
@@ -162,16 +174,17 @@ def expected(generic, scaled_reading, factors, rotations):
     return wanted
 
 
+@pytest.mark.parametrize("radii", RADII)
 @pytest.mark.parametrize("path", ALL)
-def test_uneven_factors_and_turned_frames(path, tmp_path, readings):
+def test_uneven_factors_and_turned_frames(path, radii, tmp_path, readings):
     generic = readings[path]
     factors = uneven(bodies_of(generic))
     output, scale_file, scale_result = opensim_scales(path, tmp_path, factors, 0.8 * mass_of(generic))
     followed = tmp_path / "followed.osim"
-    report = follow(output, path, followed, "--body-scale-file", scale_file)
+    report = follow(output, path, followed, "--body-scale-file", scale_file, *RADII[radii])
     json_is_what_opensim_reads(report, readings[output], readings[followed])
     after = numbers(readings[followed])
-    for place, value in expected(generic, readings[output], factors, scale_result["rotations"]).items():
+    for place, value in expected(generic, readings[output], factors, scale_result["rotations"], radii).items():
         check_near(after[place], value, place)
 
 
@@ -225,8 +238,9 @@ def test_what_opensim_scaled_is_a_scaled_copy_and_each_axis_exact(path, tmp_path
                 assert np.isclose(value, expected, rtol=AGREEMENT, atol=0), (body["body"], axis, value, expected)
 
 
+@pytest.mark.parametrize("radii", RADII)
 @pytest.mark.parametrize("kind", ["smooth", "hunt_crossley"])
-def test_the_scale_tool_from_a_setup(kind, tmp_path, readings):
+def test_the_scale_tool_from_a_setup(kind, radii, tmp_path, readings):
     """The fixture is what the Scale Tool writes; the applied ScaleSet is read as OpenSim's Scale Tool wrote it."""
     for name in (f"generic_{kind}.osim", f"setup_{kind}.xml"):
         shutil.copy(models.FIXTURES / "scale_tool" / name, tmp_path)
@@ -237,10 +251,11 @@ def test_the_scale_tool_from_a_setup(kind, tmp_path, readings):
     applied = ElementTree.parse(tmp_path / "applied_scale_set.xml")
     factors = {s.findtext("segment"): [float(f) for f in s.findtext("scales").split()] for s in applied.iter("Scale")}
     generic, followed = tmp_path / f"generic_{kind}.osim", tmp_path / "followed.osim"
-    report = follow(output, generic, followed, "--body-scale-file", tmp_path / "applied_scale_set.xml")
+    report = follow(output, generic, followed, "--body-scale-file", tmp_path / "applied_scale_set.xml", *RADII[radii])
     json_is_what_opensim_reads(report, readings[output], readings[followed])
     after = numbers(readings[followed])
-    for place, value in expected(readings[generic], readings[output], factors, scale_result["rotations"]).items():
+    wanted = expected(readings[generic], readings[output], factors, scale_result["rotations"], radii)
+    for place, value in wanted.items():
         check_near(after[place], value, place)
 
 

@@ -227,8 +227,8 @@ pub(crate) fn remark_on_radii(follow: &Follow, radius: RadiusRule, by_mass: f64)
             Input::Radius.with_value("follow")
         ]),
         _ if follow.has_radii_of_bodies => Some(phrase![
-            "radii follow the bones (x{bones}), and mass^(1/3) is x{by_mass}: this keeps {depth}; {} {} keeps {force}";
-            Input::Radius.with_value("isometric"), Input::Level
+            "radii follow the bones (x{bones}), and mass^(1/3) is x{by_mass}: this keeps {depth}; {} keeps {force}";
+            Input::Radius.with_value("isometric")
         ]),
         _ => None,
     }

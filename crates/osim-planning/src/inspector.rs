@@ -3,6 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
+use contact_scaling::Ratios;
 use osim_inspect::{
     CheckResult, FindingWithRemedy, InspectOptions, Inspection, ReferenceContacts, SizeList,
     check_without_remedies, unexplained_mass,
@@ -11,7 +12,7 @@ use osim_model::compare::{Factors, ModelSize, ScaleFile, Similarity, SpherePlace
 use osim_model::files::{Failure, FileName, Files, OpenModel};
 use osim_model::messages::{Phrase, phrase};
 use osim_model::{
-    Anatomy, Document, Fault, Finding, FindingCode, MassRequest, Model, Severity, are_equal_masses,
+    Anatomy, Document, Fault, Finding, FindingCode, MassRequest, Model, Selection, Severity, are_equal_masses,
 };
 use osim_requests::options::{AnswerOptions, InspectionOptions, SetFiles};
 use osim_requests::{CheckRequest, InspectRequest, Kilograms};
@@ -20,6 +21,7 @@ use crate::consistency::MotionRemark;
 use crate::motion_remarks::CheckedMotion;
 use crate::opening::{open, read_moco_setup, read_scale_file};
 use crate::remedies::{NO_CODES, RemedyTrials};
+use crate::verbs::reference::{MassOfPublished, mass_of_contacts};
 use crate::{MotionResult, check_with_trials, rules};
 
 /// Inspects and checks models as one request says, beside the files that all of its models are compared with.
@@ -46,6 +48,8 @@ struct GenericModel {
     contacts: ReferenceContacts,
     /// The factors by which OpenSim's Scale Tool scaled the bodies.
     file: Option<ScaleFile>,
+    /// The mass from which a transfer scales the contacts, kg, if it is known.
+    contacts_kg: Option<f64>,
     /// The size of the generic model, and the quantities in it that follow size.
     size: ModelSize,
     /// Root mean square of the radii of its contacts, m, and dissipation of the first, s/m.
@@ -76,6 +80,8 @@ fn generic_model(
     let generic = open(from, files)?;
     let anatomy = Anatomy::of(&generic.model).map_err(|fault| generic.failure(fault))?;
     let file = body_scale_file.map(|path| read_scale_file(path, files)).transpose()?;
+    let mass = |selected| mass_of_contacts(&generic.model, &selected, MassOfPublished::OfBodies);
+    let contacts_kg = Selection::default().apply(&generic.model).and_then(mass).ok().map(|mass| mass.kg);
     let contacts = ReferenceContacts::from_model(&from.display().to_string(), &generic.model);
     // The masses of the request are those of the scaled model.
     let masses = MassRequest { exclude_bodies: masses.exclude_bodies.clone(), ..MassRequest::default() };
@@ -94,6 +100,7 @@ fn generic_model(
         anatomy,
         contacts,
         file,
+        contacts_kg,
         size,
         radius_and_dissipation: rules::radius_and_dissipation(&generic.model),
         moco: None,
@@ -282,8 +289,12 @@ impl Inspector {
     fn add_comparison(&self, model: &Model, inspection: &mut Inspection) {
         let (Some(Ok(generic)), Some(files)) = (&self.generic, &self.place_reference) else { return };
         let (from, scale_file) = (&files.from, files.body_scale_file.as_deref());
+        let mass = self.options.masses.model_mass(model).ok().zip(generic.contacts_kg);
+        let ratios = mass.and_then(|(mass, contacts_kg)| Ratios::isometric(mass.kg / contacts_kg).ok());
+        let radius_ratio = ratios.map(|ratios| ratios.radius());
+        let file = generic.file.as_ref();
         let mut placement =
-            SpherePlacements::compare(model, from, scale_file, &generic.anatomy, generic.file.as_ref());
+            SpherePlacements::compare(model, from, scale_file, &generic.anatomy, file, radius_ratio);
         let fits = (fits_known_contacts(inspection), generic.fits_contacts);
         if placement.was_left_behind() && fits == (Some(true), Some(false)) {
             let why = "the contacts of this model fit its body, and those of the other one do not: the two are swapped";

@@ -11,8 +11,6 @@ use crate::model::{Anatomy, AnatomySphere, Fault, LevelAxis, Model, Note, Radius
 
 /// Two places are equal if they differ by no more than this, m.
 const SAME_PLACE_M: f64 = 1e-6;
-/// Two factors are equal if they differ by no more than this (relative).
-const SAME_FACTOR: f64 = 1e-9;
 /// If the y factor of a foot differs from √(x z) by more than this (relative), spheres should not be kept on the scaled sole (`level`).
 const MOST_STRETCH_FOR_LEVEL: f64 = 0.2;
 
@@ -31,8 +29,7 @@ pub struct SpherePlacements {
     pub unknown: Option<Phrase>,
     /// Whether the comparison failed because the caller named a wrong model.
     pub is_wrong_model: bool,
-    /// Whether a transfer with `level` is right: no foot was stretched too much, and at least one foot was scaled differently along its
-    /// axes.
+    /// Whether a transfer with `level` is possible: no sphere is an ellipsoid.
     pub suits_level: bool,
     /// Whether, by the note in the model, this program wrote the present radii.
     noted_radii: bool,
@@ -48,8 +45,8 @@ pub struct PlacedSphere {
     pub here_m: [f64; 3],
     /// Place of the sphere in the unscaled model.
     pub was_m: [f64; 3],
-    /// The right place of the sphere: its place in the unscaled model times the factors of its body. If `level` is right, the bottom of the
-    /// sphere stays on the scaled sole.
+    /// The right place of the sphere: its place in the unscaled model times the factors of its body; the bottom of a round sphere, whose
+    /// radius follows the mass, stays on the scaled sole.
     pub belongs_m: [f64; 3],
     /// Whether the sphere is at its right place, or its bottom is on the scaled sole.
     pub follows: bool,
@@ -60,13 +57,15 @@ pub struct PlacedSphere {
 }
 
 impl SpherePlacements {
-    /// Compares `model` with the `original` that OpenSim scaled, by the factors in the ScaleSet `file` if it is given.
+    /// Compares `model` with the `original` that OpenSim scaled, by the factors in the ScaleSet `file` if it is given. Radii by mass are the
+    /// original's times `radius_ratio`; `None` if a mass is not known.
     pub fn compare(
         model: &Model,
         from: &Path,
         body_scale_file: Option<&Path>,
         original: &Anatomy,
         file: Option<&ScaleFile>,
+        radius_ratio: Option<f64>,
     ) -> Self {
         let unknown = |why| Self {
             from: from.to_owned(),
@@ -89,7 +88,7 @@ impl SpherePlacements {
                 why.push("this model is not a scaled copy of that one");
                 return Err(why);
             }
-            placed_spheres(model, &scaled, original, &factors).map_err(in_words)
+            placed_spheres(model, &scaled, original, &factors, radius_ratio).map_err(in_words)
         };
         match placed() {
             Ok((spheres, _, _)) if spheres.is_empty() => {
@@ -169,26 +168,24 @@ fn remarks_on_unmatched_spheres(model: &Model, scaled: &Anatomy, original: &Anat
     other.chain(missing).map(Phrase::from).collect()
 }
 
-/// Compares the moving spheres that both models have. Returns them, remarks on the other spheres, and whether `level` suits the factors of
-/// their bodies.
+/// Compares the moving spheres that both models have. Returns them, remarks on the other spheres, and whether `level` is possible.
 fn placed_spheres(
     model: &Model,
     scaled: &Anatomy,
     original: &Anatomy,
     factors: &Factors,
+    radius_ratio: Option<f64>,
 ) -> Result<(Vec<PlacedSphere>, Vec<Phrase>, bool), Fault> {
     let up = LevelAxis::of_gravity(model.gravity_m_s2);
-    let (mut compared, mut stretched, mut uneven) = (Vec::new(), false, false);
+    let (mut compared, mut suits_level) = (Vec::new(), true);
     for id in model.loaded_spheres(&model.force_ids()) {
         let (Some(sphere), Some(now)) = (model.sphere(id), scaled.spheres.get(id.index())) else { continue };
         let Some(old) = original.sphere(&sphere.name).filter(|old| old.body == now.body) else { continue };
         let Some(body) = &now.body else { continue };
         let of_body = factors.body_factors(body)?;
-        stretched |= is_stretched(of_body);
-        uneven |= height_stretch(of_body) > SAME_FACTOR;
+        suits_level &= sphere.round_radius_m().is_ok();
         compared.push((sphere, now, old, of_body));
     }
-    let suits_level = uneven && !stretched;
     let placed = compared.into_iter().map(|(sphere, now, old, of_body)| {
         let scaled_m = now.rotation.scaled_in_frame(of_body, old.location_m);
         let here_m = now.location_m;
@@ -200,9 +197,11 @@ fn placed_spheres(
         // A place with all its digits is no other place rounded.
         let tolerance_m = if is_at(old.location_m, SAME_PLACE_M) { SAME_PLACE_M } else { rounding_m };
         // As the proposed transfer writes it.
-        let new_radius_m = old.radius_m * RadiusAxis::default().radius_ratio(of_body);
+        let by_body = || RadiusAxis::default().radius_ratio(of_body);
+        let new_radius_m = old.radius_m * radius_ratio.unwrap_or_else(by_body);
+        let is_round = sphere.round_radius_m().is_ok();
         let belongs_m =
-            if suits_level { centre_on_sole(now, old, (of_body, new_radius_m), up) } else { scaled_m };
+            if is_round { centre_on_sole(now, old, (of_body, new_radius_m), up) } else { scaled_m };
         PlacedSphere {
             name: sphere.name.clone(),
             path: sphere.path.clone(),
@@ -218,14 +217,9 @@ fn placed_spheres(
     Ok((placed.collect(), remarks_on_unmatched_spheres(model, scaled, original), suits_level))
 }
 
-/// The relative difference of a body's y factor from √(x z).
-fn height_stretch([x, y, z]: [f64; 3]) -> f64 {
-    (y / (x * z).sqrt() - 1.0).abs()
-}
-
 /// Whether a foot was stretched or flattened so much that spheres should not keep their bottoms on the scaled sole.
-pub fn is_stretched(factors: [f64; 3]) -> bool {
-    height_stretch(factors) > MOST_STRETCH_FOR_LEVEL
+pub fn is_stretched([x, y, z]: [f64; 3]) -> bool {
+    (y / (x * z).sqrt() - 1.0).abs() > MOST_STRETCH_FOR_LEVEL
 }
 
 /// The centre of a sphere whose bottom stays on the sole, after its body was scaled by the factors.

@@ -6,7 +6,7 @@ pub(crate) mod design;
 pub(crate) mod fit;
 mod fit_remarks;
 mod note;
-mod reference;
+pub(crate) mod reference;
 mod remove;
 pub(crate) mod rescale;
 pub(crate) mod set;

@@ -11,8 +11,8 @@ use osim_model::compare::ScaleFile;
 use osim_model::files::{Failure, Files, OpenModel};
 use osim_model::messages::{Input, phrase};
 use osim_model::{
-    Anatomy, CountedSpheres, Fault, FaultKind, Mass, MassRequest, MassSource, MissingFact, Model, Selection,
-    Suspicion, YesQuestion, implausible_mass,
+    Anatomy, CountedSpheres, Fault, FaultKind, Mass, MassRequest, MassSource, MissingFact, Model, Selected,
+    Selection, Suspicion, YesQuestion, implausible_mass,
 };
 use osim_patch::{Reference, reference_of_model};
 use osim_requests::{Acceleration, Count, Kilograms, TransferRequest};
@@ -22,7 +22,7 @@ use crate::prepared_change::file_name;
 
 /// The mass of the reference that counts, if its contacts are published ones for another mass than the mass of its bodies.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum MassOfPublished {
+pub(crate) enum MassOfPublished {
     /// The program asks the caller which mass the contacts were made for.
     AskCaller,
     /// The contacts count as made for the mass of the model's bodies.
@@ -162,19 +162,7 @@ fn reference_from_model(
             request.answers.require_yes(doubt).map_err(Fault::new)?;
             given_reference_mass(kg)
         }
-        None => {
-            let masses = MassRequest::default();
-            let origin = ContactsOrigin::find(model, &selected.forces, &masses, &Stance::default())
-                .map_err(ask_for_reference_option)?;
-            let is_copied_body = mass_of_published == MassOfPublished::OfBodies
-                && origin.known.as_ref().is_some_and(KnownContacts::is_published_under_other_body);
-            if is_copied_body {
-                masses.model_mass(model)?
-            } else {
-                origin.refuse_other_body(model, &masses, Input::ReferenceMass)?;
-                origin.mass
-            }
-        }
+        None => mass_of_contacts(model, &selected, mass_of_published)?,
     };
     // The option for limbs is about the model that gets the contacts; a reference on several limbs has an option of its own.
     let count = match options.reference_spheres {
@@ -192,6 +180,27 @@ fn reference_from_model(
     let mut reference = reference_of_model(model, &selected, mass, known_count)?;
     reference.name = file_name(from);
     Ok((reference, count))
+}
+
+/// The mass for which the contacts of a reference were made.
+///
+/// # Errors
+/// It is not known.
+pub(crate) fn mass_of_contacts(
+    model: &Model,
+    selected: &Selected,
+    mass_of_published: MassOfPublished,
+) -> Result<Mass, Fault> {
+    let masses = MassRequest::default();
+    let origin = ContactsOrigin::find(model, &selected.forces, &masses, &Stance::default())
+        .map_err(ask_for_reference_option)?;
+    let is_copied_body = mass_of_published == MassOfPublished::OfBodies
+        && origin.known.as_ref().is_some_and(KnownContacts::is_published_under_other_body);
+    if is_copied_body {
+        return masses.model_mass(model);
+    }
+    origin.refuse_other_body(model, &masses, Input::ReferenceMass)?;
+    Ok(origin.mass)
 }
 
 /// The question whether the caller accepts places of spheres that do not fit the bones of the reference. The places in the model follow

@@ -8,12 +8,12 @@ use osim_model::compare::{Factors, Follow, FollowRequest, OwnRadii};
 use osim_model::files::{Failure, Files};
 use osim_model::messages::{Input, Verb, phrase};
 use osim_model::{
-    Anatomy, CountedSpheres, Fault, GravityFor, MassRequest, MissingFact, Model, Property, RadiusAxis,
+    Anatomy, CountedSpheres, Fault, GravityFor, LevelAxis, MassRequest, MissingFact, Model, Property,
     RadiusRule, Selected, Selection, implausible_mass, moving_spheres,
 };
 use osim_patch::{OPERATION_FOLLOWING_BODIES, Plan, Reference, ScalingRule, Transfer, transfer};
 use osim_requests::options::{CountOptions, FollowOptions, InspectionOptions, RuleChoice, ScalingOptions};
-use osim_requests::{Acceleration, Kilograms, Positive, RequestError, RequestFault, TransferRequest};
+use osim_requests::{Acceleration, Kilograms, Positive, Radius, RequestError, RequestFault, TransferRequest};
 
 use super::reference::{
     GenericModel, MassOfPublished, reference_from_file, reference_of_opened, reference_of_preset,
@@ -26,8 +26,12 @@ use crate::remarks::{operation_with_radius, refuse_repetition, remark_on_noted_l
 ///
 /// # Errors
 /// The reference is neither a preset nor a file, or a model that cannot be a reference; or options have no effect.
-pub(super) fn prepare(request: TransferRequest, files: &dyn Files) -> Result<PreparedChange, RequestError> {
+pub(super) fn prepare(
+    mut request: TransferRequest,
+    files: &dyn Files,
+) -> Result<PreparedChange, RequestError> {
     refuse_useless_options(&request)?;
+    let keeps_bottoms = choose_default_radii(&mut request);
     let from = request.from.clone().ok_or(RequestFault::Missing { field: "from" })?;
     let named = NamedSource::find(&from, Some(Input::From), request.presets.as_deref(), files)?;
     let is_file = matches!(named, NamedSource::File);
@@ -60,13 +64,25 @@ pub(super) fn prepare(request: TransferRequest, files: &dyn Files) -> Result<Pre
     let stance = request.counts.stance_options(None, None);
     let inspection = InspectionOptions { stance, masses, choice, set_files, answers };
     let target_gravity_m_s2 = request.scaling.target_gravity.map(Acceleration::get);
-    let planner = planner(request, reference, generic);
+    let planner = TransferPlanner { keeps_bottoms, ..planner(request, reference, generic) };
     Ok(PreparedChange {
         reference: Some(state),
         target_gravity_m_s2,
         extra_files,
         ..PreparedChange::new(Verb::Transfer, models, output, inspection, planner)
     })
+}
+
+/// Chooses radii by mass for spheres that follow their bodies, if the request names no other rule. Returns whether the radii are by mass,
+/// so that the lowest point of each sphere stays on the scaled sole.
+fn choose_default_radii(request: &mut TransferRequest) -> bool {
+    let TransferRequest { follow, scaling, .. } = request;
+    let can_change = follow.follow_bodies && scaling.properties().contains(Property::Radius);
+    if !can_change || follow.rule != RuleChoice::Paper || follow.radius_axis.is_some() {
+        return false;
+    }
+    let radius = scaling.radius.get_or_insert(Radius::from(RadiusRule::Isometric));
+    radius.rule() == Some(RadiusRule::Isometric)
 }
 
 /// Makes the planner of a transfer from a reference that was read.
@@ -88,6 +104,7 @@ pub(super) fn planner(
         has_reference_spheres: request.reference.reference_spheres.is_some(),
         has_reference_gravity: gravity.is_some(),
         generic,
+        keeps_bottoms: false,
         may_repeat: request.output.may_repeat(),
     }
 }
@@ -163,7 +180,7 @@ fn refuse_senseless_radii(request: &TransferRequest) -> Result<(), RequestFault>
         ];
         return Err(RequestFault::refused(Input::Radius, message));
     }
-    if follow.radius_axis() != RadiusAxis::default() {
+    if follow.radius_axis.is_some() {
         let message = phrase![
             "{} has no effect with {}: radii follow either from the factors of bodies or from that rule";
             Input::RadiusAxis, Input::Radius
@@ -188,6 +205,8 @@ pub(super) struct TransferPlanner {
     has_reference_gravity: bool,
     /// The generic model, if spheres follow their bodies.
     pub(super) generic: Option<GenericModel>,
+    /// Whether the lowest points of round spheres stay on the scaled soles although the caller did not ask for it.
+    keeps_bottoms: bool,
     pub(super) may_repeat: bool,
 }
 
@@ -259,9 +278,12 @@ impl TransferPlanner {
         let scaled = Anatomy::of(model)?;
         let factors =
             Factors::find(&scaled, &generic.anatomy, generic.file.as_ref(), &self.follow.factors())?;
+        let (asked, up) =
+            (self.scaling.level_axis(model.gravity_m_s2), LevelAxis::of_gravity(model.gravity_m_s2));
         let mut wanted = FollowRequest {
             radius_axis: self.follow.radius_axis(),
-            level: self.scaling.level_axis(model.gravity_m_s2),
+            level: asked.or(self.keeps_bottoms.then_some(up)),
+            spares_ellipsoids: asked.is_none(),
             moved: self.follow.rule_for_moved_spheres(),
             ..FollowRequest::default()
         };

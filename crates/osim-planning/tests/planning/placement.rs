@@ -5,7 +5,7 @@ use std::path::Path;
 use crate::checks::remedy_without_models;
 use osim_inspect::{CheckResult, InspectOptions};
 use osim_model::compare::SpherePlacements;
-use osim_model::{Anatomy, FileId, FindingCode, Mass, MassSource, Model, Selection, Severity};
+use osim_model::{Anatomy, FileId, FindingCode, Mass, MassRequest, MassSource, Model, Selection, Severity};
 use osim_patch::{Rescale, note, rescale};
 use osim_planning::check_with_trials;
 use serde_json::{Value, json};
@@ -41,8 +41,18 @@ fn check_text(text: &str, generic: Option<&str>) -> CheckResult {
     let (options, model) = (InspectOptions::default(), Model::parse(text).unwrap());
     let mut inspected = options.inspect("scaled.osim", &model, None);
     inspected.placement = generic.map(|generic| {
-        let original = Anatomy::of(&Model::parse(generic).unwrap()).unwrap();
-        SpherePlacements::compare(&model, Path::new("generic.osim"), None, &original, None)
+        let generic = Model::parse(generic).unwrap();
+        let kg = |model| MassRequest::default().model_mass(model).unwrap().kg;
+        let radius_ratio = (kg(&model) / kg(&generic)).cbrt();
+        let original = Anatomy::of(&generic).unwrap();
+        SpherePlacements::compare(
+            &model,
+            Path::new("generic.osim"),
+            None,
+            &original,
+            None,
+            Some(radius_ratio),
+        )
     });
     check_with_trials(&options, &model, &inspected, &[])
 }
@@ -154,11 +164,10 @@ fn compared_with_the_model_that_was_scaled_each_sphere_has_its_place() {
         .flat_map(|finding| [vec![finding.message.to_string()], finding.details.clone()].concat())
         .collect();
     // The Scale Tool's factors of calcn and toes are 1.02, 0.9 and 0.95. The heel's bottom was at -72 mm and goes to -64.8; with a radius of
-    // 32 ∛(1.02 · 0.9 · 0.95) = 30.57 mm its centre goes to -34.23, and from 5 to 4.75 mm sideways: √(0.2² + 5.77² + 0.25²) is 5.78.
-    assert_eq!(behind[0], "6 of 6 spheres did not follow the bones (up to 5.78 mm, heel_r)");
-    assert_eq!(behind[1], "heel_r is at -10.00 -40.00 5.00 mm and belongs at -10.20 -34.23 4.75 mm");
+    // 32 ∛(52/62) = 30.18 mm its centre goes to -34.62, and from 5 to 4.75 mm sideways: √(0.2² + 5.38² + 0.25²) is 5.39.
+    assert_eq!(behind[0], "6 of 6 spheres did not follow the bones (up to 5.39 mm, heel_r)");
+    assert_eq!(behind[1], "heel_r is at -10.00 -40.00 5.00 mm and belongs at -10.20 -34.62 4.75 mm");
     assert_eq!(behind.len(), 7);
-    // 0.9 / √(1.02 · 0.95) is 0.914: near enough for level soles.
     let expected = json!({"verb": "transfer", "from": "generic.osim", "follow_bodies": true, "level": true});
     assert_eq!(remedy_without_models(found.findings[0].remedy.as_ref()), expected);
     // What the spheres do where they should not be is judged, too, but nothing else has a command.

@@ -103,7 +103,11 @@ fn spheres_follow_their_bodies() {
         files.add("generic.osim", scaled_model(&one, &hips, &spheres, old).into_bytes());
         let scaled = scaled_model(&factors, &hips, &spheres, new);
         files.add("scaled.osim", scaled.clone().into_bytes());
-        let call = json!({"verb": "transfer", "models": ["scaled.osim"], "from": "generic.osim", "follow_bodies": true, "yes": ["implausible-radius"]});
+        let by_mass = random.integer_below(2) == 0;
+        let mut call = json!({"verb": "transfer", "models": ["scaled.osim"], "from": "generic.osim", "follow_bodies": true, "yes": ["implausible-radius"]});
+        if !by_mass {
+            call["radius"] = json!("follow");
+        }
         let change = prepare(Request::from_json(call.to_string().as_bytes()).unwrap(), &files);
         let change = change.unwrap_or_else(|error| panic!("seed {seed}: {error:?}\n{scaled}"));
         let opened = open_with(Path::new("scaled.osim"), CompanionPaths::default(), &files).unwrap();
@@ -114,7 +118,8 @@ fn spheres_follow_their_bodies() {
             let own = factors[sphere.body + 1];
             let near =
                 |found: f64, expected: f64| (found - expected).abs() <= 1e-9 * expected.abs().max(1e-3);
-            let radius = sphere.radius * own.iter().product::<f64>().cbrt();
+            let ratio = if by_mass { new / old } else { own.iter().product::<f64>() };
+            let radius = sphere.radius * ratio.cbrt();
             assert!(
                 near(read.radius.number, radius),
                 "seed {seed}, {}: {} {radius}",
@@ -122,7 +127,12 @@ fn spheres_follow_their_bodies() {
                 read.radius.number
             );
             for (axis, factor) in own.iter().enumerate() {
-                let expected = sphere.place[axis] * factor;
+                // The lowest point of a sphere whose radius follows the mass stays on the scaled sole.
+                let expected = if by_mass && axis == 1 {
+                    (sphere.place[axis] - sphere.radius) * factor + radius
+                } else {
+                    sphere.place[axis] * factor
+                };
                 let found = read.location_m[axis];
                 assert!(near(found, expected), "seed {seed}, {}: {found} {expected}\n{scaled}", sphere.name);
             }

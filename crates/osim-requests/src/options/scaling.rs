@@ -31,7 +31,7 @@ choices! {
     }
 
     /// How the radius of a sphere follows from the three factors of its body.
-    RadiusAxisChoice: Geomean {
+    RadiusAxisChoice {
         X = "x";
         Y = "y";
         Z = "z";
@@ -100,7 +100,7 @@ fields! {
         body_scale_file: Option<PathBuf> as "path::Optional",
         #[cfg_attr(feature = "schemas", schemars(schema_with = "bodies::body_scale_schema"))]
         body_scale: Vec<BodyScale> as "bodies",
-        radius_axis: RadiusAxisChoice,
+        radius_axis: Option<RadiusAxisChoice>,
         moved_spheres: Option<MovedChoice>,
         strict: bool,
         rule: RuleChoice,
@@ -207,12 +207,12 @@ impl FollowOptions {
     /// How the radius of a sphere follows from the three factors of its body.
     pub fn radius_axis(&self) -> RadiusAxis {
         match self.radius_axis {
-            RadiusAxisChoice::X => RadiusAxis::X,
-            RadiusAxisChoice::Y => RadiusAxis::Y,
-            RadiusAxisChoice::Z => RadiusAxis::Z,
-            RadiusAxisChoice::Geomean => RadiusAxis::GeometricMean,
-            RadiusAxisChoice::Min => RadiusAxis::Min,
-            RadiusAxisChoice::Max => RadiusAxis::Max,
+            None | Some(RadiusAxisChoice::Geomean) => RadiusAxis::GeometricMean,
+            Some(RadiusAxisChoice::X) => RadiusAxis::X,
+            Some(RadiusAxisChoice::Y) => RadiusAxis::Y,
+            Some(RadiusAxisChoice::Z) => RadiusAxis::Z,
+            Some(RadiusAxisChoice::Min) => RadiusAxis::Min,
+            Some(RadiusAxisChoice::Max) => RadiusAxis::Max,
         }
     }
 }

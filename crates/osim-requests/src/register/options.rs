@@ -214,12 +214,14 @@ pub(super) fn entry_of(field: Field<'_>, verb: Verb) -> Option<Entry> {
             "Radii: isometric (R ~ M^1/3), keep, a radius in metres, or a factor like x1.5 [default: isometric with `target_mass`, keep \
              otherwise]",
             Transfer => "Radii: keep, isometric (as large against the body as the reference's), follow (with the factors of bodies, by \
-                         `radius_axis`), a radius in metres, or a factor like x1.5 [default: keep, or follow with `follow_bodies`]",
+                         `radius_axis`), a radius in metres, or a factor like x1.5 [default: keep; isometric with `follow_bodies`]",
             Design | Sweep => "Sphere radius in metres (with models also keep or a factor like x1.5)",
             DropTest | Fit => "Sphere radius, m",
             Add => "Radii: isometric (R ~ M^1/3), follow (with the factors of the bodies), or a radius in metres";
         Level = flag().under_if(is(&[Add]), GROUP_OF_ONE_VERB),
             "Keep the soles: where a radius changes, move the centre so that the lowest point of the sphere stays",
+            Transfer => "Keep the soles: where a radius changes, move the centre so that the lowest point of the sphere stays, as isometric \
+                         radii do with `follow_bodies` without it",
             Add | Set => "Move spheres down until all spheres of a foot are as low as its lowest one, at the default pose";
         LevelAxis = choice(AxisChoice::WORDS).signed().rare(),
             "The axis of the spheres' frames that points up with the foot flat [default: nearest to -gravity]";

@@ -86,7 +86,8 @@ fn spheres_follow_by_the_words_of_each_front_end() {
     for file in [None, Some(Path::new("scale set.xml"))] {
         let mut inspected = options.inspect("scaled.osim", &model.model, None);
         let from = Path::new("generic.osim");
-        inspected.placement = Some(SpherePlacements::compare(&model.model, from, file, &original, None));
+        inspected.placement =
+            Some(SpherePlacements::compare(&model.model, from, file, &original, None, None));
         for words in [&CommandLine as &dyn FrontEnd, &Python, &Page, &JsonRequest] {
             let mut found = check_with_trials(&options, &model.model, &inspected, &[]);
             found.spell(words);

@@ -46,6 +46,8 @@ pub struct FollowRequest {
     /// The axis along which the bottom of each sphere stays on the scaled sole. `None`: the centre is scaled with the body, whatever the
     /// radius.
     pub level: Option<LevelAxis>,
+    /// Whether the centres of ellipsoids are scaled with their bodies although `level` is given; else they are refused.
+    pub spares_ellipsoids: bool,
     /// What to do with spheres that somebody has already moved or resized.
     pub moved: MovedSpheres,
     /// Whether spheres keep the radii that they have in the scaled model.
@@ -166,9 +168,10 @@ impl Follow {
                 )));
             }
             let Some(body) = &old.body else { continue };
-            if request.level.is_some() {
-                own.round_radius_m()?;
-            }
+            let level = match own.round_radius_m() {
+                Err(fault) if request.level.is_some() && !request.spares_ellipsoids => return Err(fault),
+                round => request.level.filter(|_| round.is_ok()),
+            };
             let body_factors =
                 factors.body_factors(body).map_err(|fault| fault.at_element(own.path.clone()))?;
             let [x, y, z] = body_factors;
@@ -178,7 +181,7 @@ impl Follow {
                 let (radius_m, location_m) = (now.radius_m, now.location_m);
                 FollowedSphere { old_radius_m: old.radius_m, radius_m, location_m }
             } else {
-                moved_sphere(now, old, body_factors, request)
+                moved_sphere(now, old, body_factors, level, request)
             };
             spheres.insert(id, place);
         }
@@ -192,6 +195,7 @@ fn moved_sphere(
     now: &AnatomySphere,
     old: &AnatomySphere,
     factors: [f64; 3],
+    level: Option<LevelAxis>,
     request: &FollowRequest,
 ) -> FollowedSphere {
     let times = |ratio: f64| if ratio == 1.0 { old.radius_m } else { old.radius_m * ratio };
@@ -203,7 +207,7 @@ fn moved_sphere(
     };
     // The frame of the scaled model: OpenSim moves it but does not turn it.
     let scaled = |vector: [f64; 3]| now.rotation.scaled_in_frame(factors, vector);
-    let location_m = match request.level {
+    let location_m = match level {
         Some(axis) => {
             axis.in_frame(&now.rotation).levelled_centre(old.location_m, old.radius_m, radius_m, scaled)
         }

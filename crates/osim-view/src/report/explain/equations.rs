@@ -55,7 +55,7 @@ const EQUATIONS_OF_PROJECT: &[Equation] = &[
             symbol("s_x", "scale factor of the body along its axis x, likewise s_y and s_z", "1"),
             symbol("x", "location of the centre along the body's axis x, likewise y and z", "m"),
         ],
-        source: "docs/scaling.md: what the Scale Tool did to the body. `radius_axis` takes one factor for the radius instead of the mean; with `level` the lowest point is scaled, and the centre is one new radius above it",
+        source: "docs/scaling.md: what the Scale Tool did to the body. The radius is that of `radius=follow` (the default is (8)); `radius_axis` takes one factor instead of the mean. With `level` or (8) the lowest point is scaled, and the centre is one new radius above it",
     },
     Equation {
         label: "level",
