@@ -308,7 +308,7 @@ impl<'m> DigestedCentres<'m> {
 }
 
 impl SphereCentre<'_> {
-    /// The mirror image of the place: the place on the other foot, in the frame of that foot.
+    /// The same place on the other foot, in the frame of that foot. It shows whether each foot has the published places of the other.
     fn mirrored(&self) -> Self {
         let [x, y, z] = self.at_m;
         Self { at_m: [x, y, -z], ..*self }

@@ -37,7 +37,8 @@ where
     }
 }
 
-/// Checks the relations between the fields of a request.
+/// Checks the relations between the fields of a request that was made as a struct: fields that differ from their defaults count as given.
+/// ([`read`] checks dictionaries.)
 ///
 /// # Errors
 /// The first violated relation.

@@ -164,6 +164,7 @@ struct WritableFolder {
 }
 
 impl WritableFolder {
+    /// `folder` as the one that the rows of a table may write into, with everything in it.
     pub(super) fn of_folder(folder: &Path) -> Self {
         Self { folder: folder.to_owned(), real: resolved(folder) }
     }

@@ -192,6 +192,7 @@ impl MissingFact {
         }
     }
 
+    /// The messages about shared weight and shared spheres, contacts of a reference, and factors of bodies.
     fn about_spheres_or_reference(&self) -> Phrase {
         match self {
             Self::SphereCount { of, why } => phrase![

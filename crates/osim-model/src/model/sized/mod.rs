@@ -28,10 +28,12 @@ pub struct NotRead {
     /// The OpenSim class, or a part of a file.
     pub class: String,
     pub count: usize,
+    /// Why their numbers are not read.
     pub why: &'static str,
 }
 
 impl NotRead {
+    /// The record that the numbers of `count` objects of `class` are not read, and `why`.
     pub fn new(class: &str, count: usize, why: &'static str) -> Self {
         Self { class: class.to_owned(), count, why }
     }
