@@ -67,7 +67,7 @@ plot(fall.series.time_s, fall.series.force_bw)""",
 topics = osimcontact.explain({'C.2', 'stiffness'});
 topics(1).formulas.formula""",
     "fit": """
-fitted = osimcontact.fit('fixtures/measured/heel_pad.csv', 'radius', 0.01);
+fitted = osimcontact.fit('fixtures/measured/heel_pad.csv', 'radius', 0.03, 'indentation_unit', 'mm');
 fitted.stiffness.value""",
     "inspect": """
 models = osimcontact.inspect('fixtures/table1');

@@ -76,7 +76,7 @@ function results = fit(varargin)
 %   docs/reference/json.md and schemas/ say what each holds; what is missing is NaN, '' or empty.
 %
 %   Example, in the folder of the program's archive:
-%       fitted = osimcontact.fit('fixtures/measured/heel_pad.csv', 'radius', 0.01);
+%       fitted = osimcontact.fit('fixtures/measured/heel_pad.csv', 'radius', 0.03, 'indentation_unit', 'mm');
 %       fitted.stiffness.value
 %
 %   See also osimcontact.rescale, osimcontact.transfer, osimcontact.add, osimcontact.remove,

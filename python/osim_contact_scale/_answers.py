@@ -156,7 +156,7 @@ class Fit(Answer, FitFields):
 
         Examples
         --------
-        >>> ocs.fit("heel_pad.csv", radius=0.03).frame()[["name", "value", "unit"]]
+        >>> ocs.fit("heel_pad.csv", radius=0.03, indentation_unit="mm").frame()[["name", "value", "unit"]]
         """
         units = _native.units()
         return _frame_from_rows(

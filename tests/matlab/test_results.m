@@ -69,7 +69,7 @@ function series_are_columns()
     fall = osimcontact.drop_test('falisse2022', 'samples', 101);
     must(isequal(size(fall.series.time_s), [101 1]) && fall.series.time_s(1) == 0, 'the series differs');
     must(isnan(fall.compare.force_bw), 'nothing was compared');
-    found = osimcontact.fit('measured.csv', 'radius', 0.01);
+    found = osimcontact.fit('measured.csv', 'radius', 0.03, 'indentation_unit', 'mm');
     count = numel(found.parameters);
     must(isequal(size(found.covariance), [count count]) && isequal(found.covariance, found.covariance'), ...
         'the covariance is not a symmetric matrix');

@@ -88,8 +88,8 @@ end
 
 function tables_of_places_and_measurements()
     measured = osimcontact.read_table('measured.csv');
-    found = osimcontact.fit(measured, 'radius', 0.01);
-    from_file = osimcontact.fit('measured.csv', 'radius', 0.01);
+    found = osimcontact.fit(measured, 'radius', 0.03, 'indentation_unit', 'mm');
+    from_file = osimcontact.fit('measured.csv', 'radius', 0.03, 'indentation_unit', 'mm');
     must(found.stiffness.value == from_file.stiffness.value, 'stiffness is %.17g', found.stiffness.value);
     grid = {'grid_a', 'grid_b', 'z'; 1, 1, 2; 1, 2, 3; 2, 1, 3; 2, 2, 4};
     osimcontact.plot('sweep', 'table', grid, 'value_column', 'z', 'output', 'a.svg');

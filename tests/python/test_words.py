@@ -79,7 +79,7 @@ CALLS = {
     "set": [((HUMAN,), {"stiffness": "x2"})],
     "design": [((HUMAN,), {"indentation": 0.1}), ((), {"mass": 62, "radius": 0.03, "indentation": 0.1, "spheres": 6})],
     "note": [((HUMAN,), {"contacts_mass": 62})],
-    "fit": [((FIXTURES / "measured" / "heel_pad.csv",), {"radius": 0.03})],
+    "fit": [((FIXTURES / "measured" / "heel_pad.csv",), {"radius": 0.03, "indentation_unit": "mm"})],
     "motion": [((WALKER, WALK), {})],
     "drop_test": [((HUMAN,), {"samples": 11})],
     "plot": [(("force", HUMAN), {}), (("sweep",), {"table": FIXTURES / "plots" / "walking_speeds.csv"})],

@@ -6,8 +6,7 @@ use contact_scaling::fit::{Fit, FitError, FitValues, Measurement, Rate, fit};
 use osim_model::files::{Failure, Files};
 use osim_model::messages::{Input, four_significant, phrase};
 use osim_model::{Suspicion, YesQuestion};
-use osim_requests::ColumnOptions;
-use osim_requests::{FitRequest, RequestError, RequestFault};
+use osim_requests::{ColumnOptions, FitRequest, LengthUnit, RequestError, RequestFault};
 
 use crate::calculator::require_plausible_radius;
 use crate::sheet::Sheet;
@@ -53,10 +52,15 @@ pub fn run_fit(request: &FitRequest, files: &dyn Files) -> Result<FitResult, Req
     let fit = fit(&measurement, &values).map_err(|error| failed(with_line_of_file(&error, &measured)))?;
     if fit.largest_relative_indentation > DEEPEST_PLAUSIBLE && !request.answers.confirms(IMPLAUSIBLE) {
         let times = four_significant(fit.largest_relative_indentation);
-        let text = phrase![
-            "the indentation goes to {times} times the radius: if it is in mm, add {}";
-            Input::IndentationUnit.with_value("mm")
-        ];
+        let text = match request.columns.indentation_unit {
+            LengthUnit::M => phrase![
+                "the indentation goes to {times} times the radius: if it is in mm, add {}";
+                Input::IndentationUnit.with_value("mm")
+            ],
+            _ => {
+                phrase!["the indentation goes to {times} times the radius: are {} and its unit right?"; Input::Radius]
+            }
+        };
         let doubt = Suspicion::Other { question: IMPLAUSIBLE, text };
         return Err(RequestFault::refused(Input::IndentationUnit, doubt.phrase()).into());
     }

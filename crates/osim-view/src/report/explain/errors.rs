@@ -123,8 +123,8 @@ const QUESTION_ERRORS: &[ErrorCode] = codes! {
         "write it in kg; if it is correct, confirm it with `yes=mass-in-pounds`";
     "against-note": "one `contacts_mass` was given for several models, and the note of this one says another mass: the others are done",
         "do this model in a call of its own, or give each model its mass in a table (`batch`); if it is correct, confirm it with `yes=against-note`";
-    "implausible-radius": "a sphere would get a radius above the longest distance between two joints of its body, or of a body next to it: it may be in mm or cm",
-        "write it in m; if it is correct, confirm it with `yes=implausible-radius`";
+    "implausible-radius": "a sphere would get a radius above the longest distance between two joints of its body, or of a body next to it, or, in `design` and `fit` without a model, of 1 m or more, or the indentation goes to more than twice the radius: lengths may be in mm or cm",
+        "write them in m, or say the unit; if they are correct, confirm them with `yes=implausible-radius`";
     "implausible-place": "a place of a table is farther from the joints of its body than 3 times the longest distance between two joints of that body, or of one next to it; or the sole is farther below the bones than the foot is long: they may be in mm or cm",
         "write places, and `pad`, in m; if they are correct, confirm them with `yes=implausible-place`";
     "implausible-scale": "a body would be more than 50 times as large as the reference's, or less than 1/50: between a mouse and a giraffe it is 38 times; the factor may be in percent",
