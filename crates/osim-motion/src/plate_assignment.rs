@@ -218,8 +218,8 @@ const CARRIED_BW: f64 = 0.6;
 const SHORTEST_STEP_S: f64 = 0.08;
 
 /// For each frame, whether `foot` stands beside the plates: it is as low and as still as it usually is on a plate, but its `plates`
-/// measure no force, and the `total` of all plates does not carry the body. The frames before and after also count, while the foot is as
-/// low as on a plate.
+/// measure no force, in a run of frames of which 80 ms have a `total` of all plates that does not carry the body. All frames of the run
+/// count, while the foot is as low as on a plate.
 fn frames_beside_plates(
     states: &ContactStates,
     foot: &Foot,

@@ -186,11 +186,13 @@ fn smoothed(values: &[Option<DVec3>], step_s: f64) -> Vec<Option<DVec3>> {
 /// The time by which the plates' force is later than the inertia of the whole body (mass times acceleration), s: at the highest
 /// correlation over all components. `None` if this inertia does not explain the force.
 fn delay_s(time_s: &[f64], inertia_n: &[Option<DVec3>], force_n: &[Option<DVec3>]) -> Option<f64> {
-    let count = time_s.len();
-    let step_s = (time_s.last()? - time_s.first()?) / count.checked_sub(1)? as f64;
-    let most = (MOST_DELAY_S / step_s).min(count as f64 / 3.0) as usize;
+    let step_s = (time_s.last()? - time_s.first()?) / time_s.len().checked_sub(1)? as f64;
+    let known =
+        inertia_n.iter().zip(force_n).filter(|(inertia, force)| inertia.is_some() && force.is_some()).count();
+    let most = (MOST_DELAY_S / step_s).min(known as f64 / 3.0) as usize;
     let [inertia_n, force_n] = [inertia_n, force_n].map(|all| smoothed(all, step_s));
-    // The correlation, and the slope of the inertia over the force. The force is later by `shift` frames less `most`.
+    // The correlation, and the slope of the inertia over the force, if enough frames of both are known. The force is later by `shift`
+    // frames less `most`.
     let compared = |shift: usize| {
         let (earlier, later) = (
             inertia_n.iter().skip(most.saturating_sub(shift)),
@@ -198,6 +200,9 @@ fn delay_s(time_s: &[f64], inertia_n: &[Option<DVec3>], force_n: &[Option<DVec3>
         );
         let (inertia, force): (Vec<DVec3>, Vec<DVec3>) =
             earlier.zip(later).filter_map(|(inertia, force)| inertia.zip(*force)).unzip();
+        if inertia.len() < known / 2 {
+            return (f64::NAN, f64::NAN);
+        }
         let mean = |of: &[DVec3]| of.iter().sum::<DVec3>() / of.len() as f64;
         let (inertia_0, force_0) = (mean(&inertia), mean(&force));
         let sum = |of: fn(DVec3, DVec3) -> f64| -> f64 {
