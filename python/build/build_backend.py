@@ -60,7 +60,9 @@ def build_sdist(sdist_directory, config_settings=None):
         names = [file for file in listed.decode().split("\0") if file]
     else:
         names = [path.relative_to(TOP).as_posix() for path in TOP.rglob("*") if path.is_file()]
-        names = [file for file in names if not re.match(r"target/|(.*/)?__pycache__/", file)]
+        made = Path(sdist_directory).resolve()
+        names = [file for file in names if not re.match(r"(target|\.venv)/|(.*/)?(__pycache__|node_modules)/", file)]
+        names = [file for file in names if made not in (TOP / file).resolve().parents]
     files = {file: ((TOP / file).read_bytes(), os.access(TOP / file, os.X_OK)) for file in names}
     files["PKG-INFO"] = ((metadata / folder / "METADATA").read_bytes(), False)
     # Its metadata names the licences, so they are in it.
