@@ -35,7 +35,7 @@ LINK = re.compile(rb"\[(?P<text>[^\[\]]*)\]\((?P<path>[^\s():#]+)(?:#[^\s()]*)?\
 FOR_SOURCES = {
     r"README\.md": rb"(?ms)^## From the sources$.*?(?=^## )",
     r"docs/README\.md": rb"(?m)^- Develop: .*\n",
-    r"docs/studies/.*\.md": rb"(?ms)^## Doing it again$.*?(?=^## )",
+    r"docs/studies/.*\.md": rb"(?ms)^## Doing it again$.*?(?=^## |\Z)",
 }
 
 
