@@ -1,8 +1,8 @@
 function [path, change] = predsim(model, generic, varargin)
 %PREDSIM Give a scaled model contacts that fit it, in a new file for PredSim.
 %   PATH = osimcontact.predsim(MODEL, GENERIC) writes NAME_contacts.osim beside MODEL, NAME.osim, and gives its path for PredSim's
-%   runPredSim(S, PATH). GENERIC is the model that was scaled, with the contacts as they should be. The spheres are those of
-%   GENERIC, scaled with the bones; stiffness, dissipation and smoothing follow from both masses. It does not matter whether
+%   runPredSim(S, PATH). GENERIC is the model that was scaled, with the contacts as they should be. Places of spheres
+%   follow the bones from GENERIC, radii the mass; stiffness, dissipation and smoothing follow from both masses. It does not matter whether
 %   PredSim's fixContactSpherePositionAfterScaling has moved the spheres of MODEL before. MODEL stays as it is.
 %
 %   PredSim keeps what it compiled from a model in Subjects/NAME_OF_SUBJECT, under the name of the model's file (F_NAME.dll, .so

@@ -25,8 +25,8 @@ function results = transfer(varargin)
 %         or false.
 %     body_scale_file: The ScaleSet that the Scale Tool applied (its output_scale_file). Takes a text.
 %     body_scale: Factors of a body. Takes a struct or containers.Map, a text or a cell array of these.
-%     radius_axis: How the radius of a sphere follows from the three factors of its body. Takes 'x' or
-%         'y' or 'z' or 'geomean' or 'min' or 'max'.
+%     radius_axis: How the radius of a sphere follows from the three factors of its body [default:
+%         geomean, where radii follow]. Takes 'x' or 'y' or 'z' or 'geomean' or 'min' or 'max'.
 %     moved_spheres: Spheres that were moved or resized already: keep them, or place them again. Takes
 %         'keep' or 'replace'.
 %     strict: Refuse where spheres of one force follow bodies with different factors. Takes true or

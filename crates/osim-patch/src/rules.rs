@@ -213,7 +213,7 @@ pub(crate) fn remark_on_dissipation(remarks: &mut Vec<Phrase>, ratios: &Ratios, 
 /// A remark that radii follow the mass, or the bones in `follow`, if the two rules are clearly different, and what each keeps. `by_mass` is
 /// the ratio of isometric radii.
 pub(crate) fn remark_on_radii(follow: &Follow, radius: RadiusRule, by_mass: f64) -> Option<Phrase> {
-    if !are_apart(follow.size_ratio / by_mass) {
+    if !follow.is_placed || !are_apart(follow.size_ratio / by_mass) {
         return None;
     }
     let [by_mass, bones] = [by_mass, follow.size_ratio].map(three_significant);

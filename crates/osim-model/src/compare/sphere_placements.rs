@@ -11,7 +11,8 @@ use crate::model::{Anatomy, AnatomySphere, Fault, LevelAxis, Model, Note, Radius
 
 /// Two places are equal if they differ by no more than this, m.
 const SAME_PLACE_M: f64 = 1e-6;
-/// If the y factor of a foot differs from √(x z) by more than this (relative), spheres should not be kept on the scaled sole (`level`).
+/// If the y factor of a foot differs from √(x z) by more than this (relative), `rescale --follow-bodies` should not keep spheres on the
+/// scaled sole (`level`).
 const MOST_STRETCH_FOR_LEVEL: f64 = 0.2;
 
 /// The spheres of a scaled model, compared with those of the unscaled model: from [`SpherePlacements::compare`].
@@ -46,7 +47,7 @@ pub struct PlacedSphere {
     /// Place of the sphere in the unscaled model.
     pub was_m: [f64; 3],
     /// The right place of the sphere: its place in the unscaled model times the factors of its body; the bottom of a round sphere, whose
-    /// radius follows the mass, stays on the scaled sole.
+    /// radius follows the mass (the body, if a mass is not known), stays on the scaled sole.
     pub belongs_m: [f64; 3],
     /// Whether the sphere is at its right place, or its bottom is on the scaled sole.
     pub follows: bool,
@@ -217,7 +218,7 @@ fn placed_spheres(
     Ok((placed.collect(), remarks_on_unmatched_spheres(model, scaled, original), suits_level))
 }
 
-/// Whether a foot was stretched or flattened so much that spheres should not keep their bottoms on the scaled sole.
+/// Whether a foot was stretched or flattened so much that `rescale --follow-bodies` should not keep bottoms of spheres on the scaled sole.
 pub fn is_stretched([x, y, z]: [f64; 3]) -> bool {
     (y / (x * z).sqrt() - 1.0).abs() > MOST_STRETCH_FOR_LEVEL
 }

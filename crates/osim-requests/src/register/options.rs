@@ -307,7 +307,7 @@ pub(super) fn entry_of(field: Field<'_>, verb: Verb) -> Option<Entry> {
         BodyScale = values("BODY=x,y,z").under_if(is(&[Add]), GROUP_OF_ONE_VERB).rare_if(is(&[Transfer])),
             "Factors of a body (or one, BODY=f); may be repeated",
             Add => "Factors of a body against the reference's (or one, BODY=f); may be repeated";
-        RadiusAxis = choice(RadiusAxisChoice::WORDS).rare(), "How the radius of a sphere follows from the three factors of its body";
+        RadiusAxis = choice(RadiusAxisChoice::WORDS).rare(), "How the radius of a sphere follows from the three factors of its body [default: geomean, where radii follow]";
         MovedSpheres = choice(MovedChoice::WORDS).rare(), "Spheres that were moved or resized already: keep them, or place them again";
         Strict = flag().under_if(is(&[Convert]), GROUP_OF_ONE_VERB).rare(), "Refuse where spheres of one force follow bodies with different factors",
             Convert => "Refuse where sphere and half-space have parameters of their own that differ";

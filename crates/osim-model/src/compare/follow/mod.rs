@@ -100,6 +100,8 @@ pub struct Follow {
     spheres: BTreeMap<SphereId, FollowedSphere>,
     /// Geometric mean of the factors of all bodies with spheres: the new size over the old size.
     pub size_ratio: f64,
+    /// Whether any sphere was placed: others stay where they were moved to.
+    pub is_placed: bool,
     /// Whether radii follow from the factors of bodies.
     pub has_radii_of_bodies: bool,
 }
@@ -151,7 +153,7 @@ impl Follow {
         request: &FollowRequest,
     ) -> Result<Self, Fault> {
         let mut spheres = BTreeMap::new();
-        let (mut logarithms, mut count) = (0.0, 0.0);
+        let (mut logarithms, mut count, mut is_placed) = (0.0, 0.0, false);
         refuse_unmatched_spheres(model, wanted, generic)?;
         refuse_moved_spheres(model, wanted, scaled, generic, request.moved)?;
         for &id in wanted {
@@ -181,13 +183,14 @@ impl Follow {
                 let (radius_m, location_m) = (now.radius_m, now.location_m);
                 FollowedSphere { old_radius_m: old.radius_m, radius_m, location_m }
             } else {
+                is_placed = true;
                 moved_sphere(now, old, body_factors, level, request)
             };
             spheres.insert(id, place);
         }
         let size_ratio = if count > 0.0 { libm::exp(logarithms / count) } else { 1.0 };
         let has_radii_of_bodies = !request.keep_radii && request.own_radii.is_none();
-        Ok(Self { spheres, size_ratio, has_radii_of_bodies })
+        Ok(Self { spheres, size_ratio, is_placed, has_radii_of_bodies })
     }
 }
 
