@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use osim_model::{Document, ElementId, FileId, ForceId, Limbs, MassRequest, MassSource, Model, PieceKind, RadiusRule, Scope, Selection, SetId, SphereId, Value};
+use osim_model::{Document, ElementId, FileId, ForceId, Limbs, MassRequest, MassSource, Model, Note, PieceKind, RadiusRule, Scope, Selection, SetId, SphereId, Value};
 use osim_patch::{Edit, Plan, Reference, Transfer, reference_of_model, rescale, splice, transfer};
 
 use crate::accept;
@@ -233,7 +233,8 @@ fn second_run(again: &Model, request: &Request, scope: Scope) {
             let third = Model::parse(patched).expect("the second output is a model");
             values_as_planned(again, &plan, &third);
             if !plan.is_empty() {
-                assert_eq!(third.note.as_ref(), plan.note());
+                // A step has the old mass as people read it, with seven digits.
+                assert_eq!(third.note.as_ref().map(Note::text), plan.note().map(Note::text));
                 let gravity = |model: &Model| model.note.as_ref().and_then(|note| note.gravity_m_s2);
                 assert_eq!(gravity(&third), gravity(again), "nobody asked for another gravity");
                 assert_eq!(comments(again), comments(&third), "the second run left a second note");
