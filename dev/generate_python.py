@@ -263,10 +263,7 @@ EXAMPLES = {
     ],
     "drop-test": ['>>> round(ocs.drop_test("falisse2022").peak_force_bw, 3)', "2.492"],
     "explain": ['>>> ocs.explain("13")[0].title', "'Coefficient of restitution, approximate'"],
-    "fit": [
-        '>>> ocs.fit("fixtures/measured/heel_pad.csv", radius=0.03, indentation_unit="mm").frame()["name"].tolist()',
-        "['composite_modulus_n_m2', 'stiffness']",
-    ],
+    "fit": ['>>> ocs.fit("fixtures/measured/heel_pad.csv", radius=0.03, indentation_unit="mm").frame()["name"][1]', "'stiffness'"],
     "inspect": [f'>>> ocs.inspect({HUMAN})[0]["mass_kg"]', "62.0"],
     "motion": ['>>> walk = ocs.motion("fixtures/motion/walker.osim", "fixtures/motion/walk.mot")', ">>> len(walk.rows)", "964"],
     "note": [f'>>> ocs.note({HUMAN}, contacts_mass=60).target_mass_kg', "60.0"],

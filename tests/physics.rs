@@ -20,6 +20,8 @@ mod design;
 mod drop_test;
 #[path = "physics/fit.rs"]
 mod fit;
+#[path = "physics/fit_determined.rs"]
+mod fit_determined;
 #[path = "physics/fit_motion.rs"]
 mod fit_motion;
 #[path = "physics/motion.rs"]

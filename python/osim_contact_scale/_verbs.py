@@ -882,8 +882,8 @@ def fit(
 
     Examples
     --------
-    >>> ocs.fit("fixtures/measured/heel_pad.csv", radius=0.03, indentation_unit="mm").frame()["name"].tolist()
-    ['composite_modulus_n_m2', 'stiffness']
+    >>> ocs.fit("fixtures/measured/heel_pad.csv", radius=0.03, indentation_unit="mm").frame()["name"][1]
+    'stiffness'
     """
     keywords = {"motion": motion, "plates": plates, "loads": loads, "fit": fit, "unbounded": unbounded or None, "height_in": height_in, "belt": belt, "belt_column": belt_column, "start": start, "end": end, "angles": angles, "low_pass": low_pass, "plates_delay": plates_delay, "radius": radius, "spheres": spheres, "onset": onset, "branch": branch, "indentation_column": indentation_column, "force_column": force_column, "speed_column": speed_column, "time_column": time_column, "indentation_unit": indentation_unit, "force_unit": force_unit, "speed_unit": speed_unit, "time_unit": time_unit, "contacts_mass": contacts_mass, "mass": mass, "exclude_body": exclude_body, "select": select, "exclude": exclude, "skip_disabled": skip_disabled or None, "no_note": no_note or None, "yes": yes, "geometry": geometry, "model": model}
     return _run.fit(measured, keywords)

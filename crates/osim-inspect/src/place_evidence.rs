@@ -308,7 +308,7 @@ impl<'m> DigestedCentres<'m> {
 }
 
 impl SphereCentre<'_> {
-    /// The same place on the other foot, in the frame of that foot. It shows whether each foot has the published places of the other.
+    /// Gives the mirrored place on the other foot, in the frame of that foot, by which feet with each other's published places are found.
     fn mirrored(&self) -> Self {
         let [x, y, z] = self.at_m;
         Self { at_m: [x, y, -z], ..*self }

@@ -13,6 +13,7 @@ mod coordinates;
 pub mod correct;
 mod feet;
 pub mod fit;
+mod fit_result;
 mod fit_trial;
 mod joint_paths;
 mod pair;

@@ -1,17 +1,19 @@
-//! `design`, `drop-test`, `fit`, `reproduce`, `explain` and `presets`: verbs that print an answer and change no file.
+//! `design`, `drop-test`, `fit`, `motion`, `reproduce`, `explain` and `presets`: verbs that print an answer and change no model.
 
 use std::io::IsTerminal;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Result, anyhow, bail};
 use contact_plots::Paper;
-use osim_library::{Disk, WriteMode, make_folder_of, write_files};
+use osim_library::{Disk, MotionFiles, WriteMode, make_folder_of, write_files};
 use osim_model::messages::{Input, Verb};
-use osim_planning::{design_sheet, find_presets, presets_of_unlike_spheres, run_drop_test, run_fit};
+use osim_planning::{
+    NextModels, design_sheet, find_presets, presets_of_unlike_spheres, run_drop_test, run_fit, run_motion,
+};
 use osim_requests::options::Format;
 use osim_requests::{
-    DesignRequest, DropTestRequest, ExplainRequest, FitRequest, PlotKind, PlotRequest, PresetsRequest,
-    ReproduceRequest, RequestError, SeriesFormat,
+    DesignRequest, DropTestRequest, ExplainRequest, FitRequest, MotionFormat, MotionRequest, PlotKind,
+    PlotRequest, PresetsRequest, ReproduceRequest, RequestError, SeriesFormat,
 };
 use osim_view::figures;
 use osim_view::report::explain::{Alphabet, answer};
@@ -20,8 +22,8 @@ use osim_view::report::layout::WIDTH;
 use osim_view::report::messages::mass_mismatch;
 use osim_view::report::reproduce::{ReproductionRecord, fig1_text, reproduction_csv, reproduction_text};
 use osim_view::report::results::{
-    DropRecord, FitRecord, PresetRecord, design_sheet_text, drop_chart, drop_csv, drop_text, fit_text,
-    preset_text,
+    DropRecord, FitRecord, MotionRecord, PresetRecord, design_sheet_text, drop_chart, drop_csv, drop_text,
+    fit_text, motion_csv, motion_text, preset_text,
 };
 
 use crate::exit::Exit;
@@ -213,4 +215,32 @@ pub(crate) fn presets(request: &PresetsRequest, session: &mut Session) -> Result
         session.terminal.print(&format!("\n{name}\n{text}\n"))?;
     }
     Ok(Exit::Done)
+}
+
+/// Computes the contact forces along a recorded motion, prints them and writes the files that the request names.
+///
+/// # Errors
+/// Wrong usage, or a file that exists already.
+pub(crate) fn motion(request: &MotionRequest, session: &mut Session) -> Result<Exit> {
+    if let Some(folder) = request.subject.iter().find(|path| path.is_dir()) {
+        bail!("'{}' is a folder, and a motion is that of one model: name a model in it", folder.display());
+    }
+    let files = MotionFiles::of(request).map_err(|fault| session.file_error(&fault))?;
+    let result = run_motion(request, &Disk)
+        .map_err(|error| session.refuse(error, request.format == MotionFormat::Json))?;
+    let next = NextModels::new(request, &result, &Disk)
+        .map_err(|error| session.refuse(error, request.format == MotionFormat::Json))?;
+    let remarks = result.remarks(request);
+    let text = match request.format {
+        MotionFormat::Json => line(&MotionRecord::new(&result, &remarks, session.words)),
+        MotionFormat::Csv => motion_csv(&result)?,
+        _ => motion_text(&result, &remarks, session.words, session.terminal.columns()),
+    };
+    let written = files.write(&result, &next).map_err(|fault| session.file_error(&fault))?;
+    let written: String = written.iter().map(|path| format!("written to {}\n", path.display())).collect();
+    let is_for_programs = matches!(request.format, MotionFormat::Json | MotionFormat::Csv);
+    session.terminal.print_as(&text, is_for_programs)?;
+    session.terminal.print_to_stderr(&written)?;
+    let is_uncorrected = result.consistency.is_some_and(|one| one.correction.is_none());
+    Ok(if is_uncorrected { Exit::Failed } else { Exit::Done })
 }

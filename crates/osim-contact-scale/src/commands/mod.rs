@@ -3,7 +3,6 @@
 mod answers;
 mod change;
 mod completions;
-mod motion;
 mod plot;
 mod survey;
 mod sweep;
@@ -78,7 +77,7 @@ fn answer_request(request: Request, session: &mut Session) -> Result<Exit> {
             session::remark_unmatched(models, set_files.companion_paths(), choice, masses, session)?;
             Ok(exit)
         }
-        Request::Motion(request) => motion::run(&request, session),
+        Request::Motion(request) => answers::motion(&request, session),
         Request::Plot(request) => {
             let exit = plot::run(&request, session)?;
             let PlotRequest { models, choice, masses, set_files, .. } = &*request;

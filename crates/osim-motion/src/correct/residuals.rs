@@ -17,7 +17,7 @@ const USUAL_ADDED_ACCELERATION_M_S2: f64 = 0.03 * 9.81;
 const COUNTED_SPHERES: f64 = 3.0;
 /// Usual sizes of the constants of a correction: the height of the floor (m) and two velocities of the belt (m/s).
 const USUAL_CONSTANTS: [f64; CONSTANTS] = [0.03, 2.0, 2.0];
-/// A constant of its usual size counts as much as usual corrections in this share of the frames.
+/// The share of the frames in which usual corrections cost as much as one constant of its usual size.
 const SHARE_OF_FRAMES_PER_CONSTANT: f64 = 0.01;
 /// The usual size of a constant that has to stay 0: small, so that a change of it would cost very much.
 const USUAL_SIZE_OF_FIXED_CONSTANT: f64 = 1e-9;

@@ -188,7 +188,7 @@ records! {
         name: String = foot.name.clone(),
         /// Root mean square of the difference along the normal of the floor, body weights.
         vertical_rms_bw: f64 = foot.vertical_rms_bw,
-        /// The same before the fit, body weights.
+        /// Root mean square of the vertical force's difference from the plates before the fit, body weights.
         vertical_rms_before_bw: f64 = foot.vertical_rms_before_bw,
         /// Root mean square of the difference across the normal, body weights.
         horizontal_rms_bw: f64 = foot.horizontal_rms_bw,
