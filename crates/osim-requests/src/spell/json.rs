@@ -3,8 +3,8 @@
 use osim_model::messages::{Call, Dialect, Example, Input, Verb};
 use serde_json::Value;
 
-use crate::register::is_flag;
-use crate::request::Request;
+use crate::register::{List, OptionValue, is_flag, option_named};
+use crate::request::{Request, verb_entry};
 use crate::spell::speller::{FrontEnd, Speller, is_assignment};
 
 /// A request in JSON: `"mass": KG`, `{"verb": "design", "models": ["model.osim"], "indentation": 0.16}`.
@@ -32,7 +32,7 @@ impl Dialect for JsonRequest {
 
     fn call(&self, call: &Call) -> String {
         let mut fields = vec![format!("\"verb\": \"{}\"", call.verb.name())];
-        fields.extend(call.with_model.then(|| model_field(call.verb).to_owned()));
+        fields.extend(model_field(call.verb).filter(|_| call.with_model));
         let field = |(input, example): &(Input, Option<Example>)| match example {
             None if !is_flag(*input) => format!("\"{}\": ...", input.name()),
             example => self.input(*input, example.as_ref()),
@@ -54,13 +54,12 @@ impl Speller for JsonRequest {
 
 impl FrontEnd for JsonRequest {}
 
-/// The field with the model in requests of `verb`, as JSON.
-const fn model_field(verb: Verb) -> &'static str {
-    match verb {
-        Verb::Sweep => r#""model": "model.osim""#,
-        Verb::DropTest => r#""subject": "model.osim""#,
-        _ => r#""models": ["model.osim"]"#,
-    }
+/// The field with the model in requests of `verb`, as JSON: the first file that a call has without a name.
+fn model_field(verb: Verb) -> Option<String> {
+    let mut options = verb_entry(verb).positional.iter().filter_map(|name| option_named(verb, name));
+    let option = options.find(|option| option.takes == OptionValue::FileRead)?;
+    let model = if option.list == List::One { r#""model.osim""# } else { r#"["model.osim"]"# };
+    Some(format!("\"{}\": {model}", option.name))
 }
 
 /// A number unchanged, any other value in quotation marks.
@@ -97,6 +96,8 @@ mod tests {
             "`transfer MODEL from=falisse2022 radius=keep`",
             "`plot MODEL output=a.svg kind=force`",
             "`sweep MODEL grid=stiffness=x2`",
+            "`motion MODEL motion=walk.mot plates=walk.sto correct=corrected.sto`",
+            "`fit MODEL motion=walk.mot plates=walk.sto`",
             "`explain topics=floats`",
             "`rescale MODEL target_mass=5 in_place`",
             "`set MODEL stiffness=x2 dissipation=1.5 select=heel*`",
