@@ -23,9 +23,14 @@ pub fn option_named(verb: Verb, name: &str) -> Option<Entry> {
     }
 }
 
+/// The option of an input in what all verbs have in common: its names, and whether it takes a value.
+pub(crate) fn option_for(input: Input) -> Option<Entry> {
+    entry_of(Field::Input(input), Verb::Rescale)
+}
+
 /// Whether an input is a flag: given or not given, without a value.
 pub(crate) fn is_flag(input: Input) -> bool {
-    entry_of(Field::Input(input), Verb::Rescale).is_some_and(|option| option.takes == OptionValue::Flag)
+    option_for(input).is_some_and(|option| option.takes == OptionValue::Flag)
 }
 
 impl Request {

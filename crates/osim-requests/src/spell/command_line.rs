@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use osim_model::messages::{Call, Dialect, Example, Input, Verb, is_visible};
 
-use crate::register::{List, option_named};
+use crate::register::{Entry, List, OptionValue, option_for, option_named};
 use crate::request::Request;
 use crate::spell::speller::{Field, FieldValue, Fields, FrontEnd, Speller, is_assignment, is_positional};
 
@@ -25,12 +25,11 @@ pub struct CommandLine;
 
 impl Dialect for CommandLine {
     fn input(&self, input: Input, example: Option<&Example>) -> String {
-        let name = match input {
-            _ if is_positional(input) => {
-                return example.map_or_else(|| input.name().to_ascii_uppercase(), ToString::to_string);
-            }
-            Input::Output => "-o".to_owned(),
-            Input::OutputDir => "-d".to_owned(),
+        if is_positional(input) {
+            return example.map_or_else(|| input.name().to_ascii_uppercase(), ToString::to_string);
+        }
+        let name = match option_for(input).filter(|option| option.takes != OptionValue::Flag) {
+            Some(Entry { short: Some(letter), .. }) => format!("-{letter}"),
             _ => option_name(input.name()),
         };
         example.map_or_else(|| name.clone(), |example| format!("{name} {example}"))
