@@ -27,8 +27,8 @@ pub struct Quantity {
     /// Number that the paper gives the equation of the quantity; empty if the paper has no such equation.
     pub equation: &'static str,
     pub limit: Option<&'static Limit>,
-    /// The doc comment of the variant in its register: a sentence that says what the quantity is.
-    pub doc: &'static str,
+    /// A sentence that says what the quantity is, with names of options in backquotes.
+    pub meaning: &'static str,
     /// Name of the quantity's column in tables of models, without the unit; empty if it is [`name`](Self::name).
     column: &'static str,
 }
@@ -36,7 +36,7 @@ pub struct Quantity {
 impl Quantity {
     /// A quantity without equation, limit and meaning.
     pub const fn new(name: &'static str, label: &'static str, unit: &'static str) -> Self {
-        Self { name, label, unit, equation: "", limit: None, doc: "", column: "" }
+        Self { name, label, unit, equation: "", limit: None, meaning: "", column: "" }
     }
 
     /// A property of a contact, with OpenSim's name and unit.
@@ -89,7 +89,7 @@ impl Quantity {
 
     /// The meaning, with equation and unit after the first part of the sentence: the description in JSON schemas.
     pub fn schema_description(&self) -> String {
-        let meaning = self.doc.trim_ascii();
+        let meaning = self.meaning;
         let end = [": ", "; ", ". "].iter().filter_map(|mark| meaning.find(mark)).min();
         let (first, rest) = meaning.split_at(end.unwrap_or(meaning.trim_end_matches('.').len()));
         format!("{first}{}{}{rest}", self.equation_suffix(), self.unit_suffix())
@@ -97,12 +97,7 @@ impl Quantity {
 
     /// A sentence that says what the quantity is.
     pub fn meaning(&self) -> Phrase {
-        Phrase::template(self.meaning_text())
-    }
-
-    /// The sentence that says what the quantity is, as the register has it, with names of options in backquotes.
-    pub fn meaning_text(&self) -> &'static str {
-        self.doc.trim_ascii()
+        Phrase::template(self.meaning)
     }
 
     /// The unit after a comma, for a label; empty without a unit.
@@ -156,7 +151,8 @@ impl Quantity {
 }
 
 /// Makes a register of quantities: an enum with `ALL` and `info`; if each variant has further data after `=>`, also a private method
-/// `entry` that returns them. The doc comment of a variant becomes the meaning of its quantity.
+/// `entry` that returns them. Each row is `Variant = "its meaning", its quantity => further data;`. The meaning is also the doc comment of
+/// the variant.
 ///
 /// ```
 /// use osim_inspect::Quantity;
@@ -164,10 +160,8 @@ impl Quantity {
 /// osim_inspect::quantities! {
 ///     /// Loads.
 ///     Load: f64 {
-///         /// The weight of the body.
-///         Weight = Quantity::new("weight_n", "weight", "N") => 1.0;
-///         /// Twice that.
-///         Double = Quantity::new("double_n", "double", "N") => 2.0;
+///         Weight = "The weight of the body.", Quantity::new("weight_n", "weight", "N") => 1.0;
+///         Double = "Twice that.", Quantity::new("double_n", "double", "N") => 2.0;
 ///     }
 /// }
 /// assert_eq!(Load::ALL, [Load::Weight, Load::Double]);
@@ -177,12 +171,12 @@ impl Quantity {
 #[macro_export]
 macro_rules! quantities {
     ($(#[doc = $about:literal])+ $register:ident {
-        $($(#[doc = $doc:literal])+ $variant:ident = $quantity:expr;)+
+        $($variant:ident = $meaning:literal, $quantity:expr;)+
     }) => {
         $(#[doc = $about])+
         #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
         pub enum $register {
-            $($(#[doc = $doc])+ $variant,)+
+            $(#[doc = $meaning] $variant,)+
         }
 
         impl $register {
@@ -194,7 +188,7 @@ macro_rules! quantities {
                 match self {
                     $(Self::$variant => &const {
                         let mut quantity = $quantity;
-                        quantity.doc = concat!($($doc),+);
+                        quantity.meaning = $meaning;
                         quantity
                     },)+
                 }
@@ -202,11 +196,11 @@ macro_rules! quantities {
         }
     };
     ($(#[doc = $about:literal])+ $register:ident: $entry:ty {
-        $($(#[doc = $doc:literal])+ $variant:ident = $quantity:expr => $data:expr;)+
+        $($variant:ident = $meaning:literal, $quantity:expr => $data:expr;)+
     }) => {
         $crate::quantities! {
             $(#[doc = $about])+
-            $register { $($(#[doc = $doc])+ $variant = $quantity;)+ }
+            $register { $($variant = $meaning, $quantity;)+ }
         }
 
         impl $register {

@@ -291,59 +291,51 @@ const fn entry(row: DropRow, value: FigureValue) -> DropFigureEntry {
 osim_inspect::quantities! {
     /// A figure of a drop, see [`Quantity`]; in the order of the JSON.
     DropFigure: DropFigureEntry {
-        /// Mass M of the body.
-        Mass = Quantity::new("mass_kg", "mass", "kg") => entry(Nowhere, Always(|drop| drop.values.mass_kg));
-        /// Spheres n that share the weight.
-        SphereCount = Quantity::new("sphere_count", "spheres", "") => entry(Nowhere, Always(|drop| drop.sphere_count));
-        /// Gravity g.
-        Gravity = Quantity::new("gravity_m_s2", "gravity", "m/s2") => entry(Nowhere, Always(|drop| drop.values.gravity_m_s2));
-        /// Height of the sphere bottoms at the start.
-        Height = Quantity::new("height_m", "height", "m") => entry(Nowhere, Always(|drop| drop.values.height_m));
-        /// How long the body was followed.
-        Duration = Quantity::new("duration_s", "duration", "s") => entry(Nowhere, Always(|drop| drop.values.duration_s));
-        /// R = √(Σ R_i²/n): what lengths are divided by.
-        ReferenceRadius = Quantity::new("reference_radius_m", "radius", "m")
+        Mass = "Mass M of the body.", Quantity::new("mass_kg", "mass", "kg") => entry(Nowhere, Always(|drop| drop.values.mass_kg));
+        SphereCount = "Spheres n that share the weight.",
+            Quantity::new("sphere_count", "spheres", "") => entry(Nowhere, Always(|drop| drop.sphere_count));
+        Gravity = "Gravity g.", Quantity::new("gravity_m_s2", "gravity", "m/s2") => entry(Nowhere, Always(|drop| drop.values.gravity_m_s2));
+        Height = "Height of the sphere bottoms at the start.",
+            Quantity::new("height_m", "height", "m") => entry(Nowhere, Always(|drop| drop.values.height_m));
+        Duration = "How long the body was followed.",
+            Quantity::new("duration_s", "duration", "s") => entry(Nowhere, Always(|drop| drop.values.duration_s));
+        ReferenceRadius = "R = √(Σ R_i²/n): what lengths are divided by.", Quantity::new("reference_radius_m", "radius", "m")
             => entry(Nowhere, Always(|drop| drop.report.reference_radius_m));
-        /// √(R/g): what to divide times by before animals of different size are compared.
-        ReferenceTime = Quantity::new("reference_time_s", "time unit sqrt(R/g)", "s")
+        ReferenceTime = "√(R/g): what to divide times by before animals of different size are compared.",
+            Quantity::new("reference_time_s", "time unit sqrt(R/g)", "s")
             => entry(Last, Always(|drop| drop.report.reference_time_s));
-        /// x̂ at the end of the series.
-        FinalIndentation = Quantity::new("final_relative_indentation", "indentation/radius at the end", "")
+        FinalIndentation = "x̂ at the end of the series.", Quantity::new("final_relative_indentation", "indentation/radius at the end", "")
             => entry(InOrder, Always(|drop| drop.report.final_indentation_m / drop.report.reference_radius_m));
-        /// x̂ that the Hertz law (1) gives under body weight: the x̂ of the paper, of `design` and of scaling.
-        IndentationHertz = Quantity::INDENTATION_HERTZ.labelled("  at rest, Hertz law")
+        IndentationHertz = "x̂ that the Hertz law (1) gives under body weight: the x̂ of the paper, of `design` and of scaling.",
+            Quantity::INDENTATION_HERTZ.labelled("  at rest, Hertz law")
             => entry(InOrder, Always(|drop| drop.report.hertz_indentation_m / drop.report.reference_radius_m));
-        /// x̂ where the force by the model's law at speed 0, (C.9) for a smoothed one, equals body weight.
-        IndentationModelLaw = Quantity::INDENTATION_MODEL_LAW.labelled("  at rest, the model's law").by_equation("")
+        IndentationModelLaw = "x̂ where the force by the model's law at speed 0, (C.9) for a smoothed one, equals body weight.",
+            Quantity::INDENTATION_MODEL_LAW.labelled("  at rest, the model's law").by_equation("")
             => entry(InOrder, Always(|drop| drop.report.equilibrium_indentation_m / drop.report.reference_radius_m));
-        /// The largest force of all spheres together.
-        PeakForce = Quantity::new("peak_force_n", "peak force", "N") => entry(InOrder, Always(|drop| drop.report.peak_force_n));
-        /// The largest force over body weight.
-        PeakForceBw = Quantity::new("peak_force_bw", "peak force/body weight", "")
+        PeakForce = "The largest force of all spheres together.",
+            Quantity::new("peak_force_n", "peak force", "N") => entry(InOrder, Always(|drop| drop.report.peak_force_n));
+        PeakForceBw = "The largest force over body weight.", Quantity::new("peak_force_bw", "peak force/body weight", "")
             => entry(InOrder, Always(|drop| drop.report.peak_force_bw()));
-        /// Slope of the force of one sphere where it rests, by the model's law; the mean of spheres that differ.
-        EquilibriumStiffness
-            = Quantity::new("equilibrium_stiffness_n_m", "stiffness of one sphere at rest, model's law", "N/m")
+        EquilibriumStiffness = "Slope of the force of one sphere where it rests, by the model's law; the mean of spheres that differ.",
+            Quantity::new("equilibrium_stiffness_n_m", "stiffness of one sphere at rest, model's law", "N/m")
             => entry(InOrder, Always(|drop| drop.report.equilibrium_stiffness_n_m));
-        /// Slope of the Hertz force of one sphere where it rests: the k of Table 1.
-        HertzStiffness
-            = Quantity::new("hertz_stiffness_n_m", "stiffness of one sphere at rest, Hertz", "N/m").by_equation("B.1")
+        HertzStiffness = "Slope of the Hertz force of one sphere where it rests: the k of Table 1.",
+            Quantity::new("hertz_stiffness_n_m", "stiffness of one sphere at rest, Hertz", "N/m").by_equation("B.1")
             => entry(InOrder, Always(|drop| drop.report.hertz_stiffness_n_m));
-        /// Speed at height 0: smoothed forces brake before, so it is a little below √(2gh). Absent where the ground is not
-        /// reached.
-        ImpactSpeed = Quantity::IMPACT_SPEED
+        ImpactSpeed = "Speed at height 0: smoothed forces brake before, so it is a little below √(2gh). Absent where the ground is not reached.",
+            Quantity::IMPACT_SPEED
             => entry(InOrder, Sometimes(|drop| Some(first_contact(drop)?.impact_speed_m_s)));
-        /// Restitution of an impact at this speed by (12), if there were no gravity.
-        RestitutionExact = Quantity::RESTITUTION_EXACT.labelled("restitution without gravity, exact")
+        RestitutionExact = "Restitution of an impact at this speed by (12), if there were no gravity.",
+            Quantity::RESTITUTION_EXACT.labelled("restitution without gravity, exact")
             => entry(InOrder, Sometimes(|drop| Some(first_contact(drop)?.restitution_exact)));
-        /// Restitution of an impact at this speed by (13), 1 − α ẋ. Absent if it is below 0.
-        RestitutionApproximate = Quantity::RESTITUTION_APPROXIMATE
+        RestitutionApproximate = "Restitution of an impact at this speed by (13), 1 − α ẋ. Absent if it is below 0.",
+            Quantity::RESTITUTION_APPROXIMATE
             => entry(InOrder, Sometimes(|drop| first_contact(drop)?.restitution_approximate));
-        /// Time from touch-down to lift-off. Absent where the body does not leave the ground again.
-        ContactTime = Quantity::new("contact_time_s", "contact time", "s")
+        ContactTime = "Time from touch-down to lift-off. Absent where the body does not leave the ground again.",
+            Quantity::new("contact_time_s", "contact time", "s")
             => entry(InOrder, Sometimes(|drop| Some(lift_off(drop)?.contact_time_s)));
-        /// Speed at lift-off. Absent where the body does not leave the ground again.
-        ReboundSpeed = Quantity::new("rebound_speed_m_s", "rebound speed", "m/s")
+        ReboundSpeed = "Speed at lift-off. Absent where the body does not leave the ground again.",
+            Quantity::new("rebound_speed_m_s", "rebound speed", "m/s")
             => entry(InOrder, Sometimes(|drop| Some(lift_off(drop)?.rebound_speed_m_s)));
     }
 }
@@ -382,19 +374,14 @@ type ColumnAtMoment = fn(&DropReport, &Sample) -> f64;
 osim_inspect::quantities! {
     /// A column of the series of a drop, see [`Quantity`].
     DropColumn: ColumnAtMoment {
-        /// Time.
-        Time = Quantity::new("time_s", "time", "s") => |_, sample| sample.time_s;
-        /// Height of the sphere bottoms; below 0 they are in the ground.
-        Height = Quantity::new("height_m", "height", "m") => |_, sample| sample.height_m;
-        /// Speed, upwards.
-        Speed = Quantity::new("speed_m_s", "speed", "m/s") => |_, sample| sample.speed_m_s;
-        /// Force of all spheres.
-        Force = Quantity::new("force_n", "force", "N") => |_, sample| sample.force_n;
-        /// Force of all spheres over body weight.
-        ForceBw = Quantity::new("force_bw", "force/body weight", "")
+        Time = "Time.", Quantity::new("time_s", "time", "s") => |_, sample| sample.time_s;
+        Height = "Height of the sphere bottoms; below 0 they are in the ground.",
+            Quantity::new("height_m", "height", "m") => |_, sample| sample.height_m;
+        Speed = "Speed, upwards.", Quantity::new("speed_m_s", "speed", "m/s") => |_, sample| sample.speed_m_s;
+        Force = "Force of all spheres.", Quantity::new("force_n", "force", "N") => |_, sample| sample.force_n;
+        ForceBw = "Force of all spheres over body weight.", Quantity::new("force_bw", "force/body weight", "")
             => |report, sample| sample.force_n / report.body_weight_n;
-        /// Time over √(R/g).
-        DimensionlessTime = Quantity::new("dimensionless_time", "time/sqrt(R/g)", "")
+        DimensionlessTime = "Time over √(R/g).", Quantity::new("dimensionless_time", "time/sqrt(R/g)", "")
             => |report, sample| sample.time_s / report.reference_time_s;
     }
 }

@@ -34,109 +34,99 @@ const fn indentation(name: &'static str, label: &'static str) -> Quantity {
 crate::quantities! {
     /// A number of a contact sphere that carries its share of the body weight; [`Quantity`] says which.
     Figure: Entry {
-        /// Radius R of the sphere.
-        Radius = Quantity::RADIUS => entry(Always, |s| ComputedFigure::Known(s.contacts.radius_m));
-        /// Composite modulus E*; the sum where several forces press the sphere.
-        CompositeModulus = Quantity::COMPOSITE_MODULUS => entry(Never, |s| ComputedFigure::Known(s.composite_modulus()));
-        /// Dissipation α; absent where forces of different α press the sphere.
-        Dissipation = Quantity::new("dissipation_s_m", "dissipation", "s/m")
+        Radius = "Radius R of the sphere.", Quantity::RADIUS => entry(Always, |s| ComputedFigure::Known(s.contacts.radius_m));
+        CompositeModulus = "Composite modulus E*; the sum where several forces press the sphere.",
+            Quantity::COMPOSITE_MODULUS => entry(Never, |s| ComputedFigure::Known(s.composite_modulus()));
+        Dissipation = "Dissipation α; absent where forces of different α press the sphere.",
+            Quantity::new("dissipation_s_m", "dissipation", "s/m")
             .with_column("dissipation_of_sphere")
             => entry(Never, |s| s.dissipation().into());
-        /// The sphere's share of one body weight, W/n.
-        Load = Quantity::new("load_n", "load at 1 BW", "N")
+        Load = "The sphere's share of one body weight, W/n.", Quantity::new("load_n", "load at 1 BW", "N")
             .with_column("load_at_1_body_weight")
             => entry(Always, |s| s.at_one_body_weight(|rest| Some(rest.load_n)));
-        /// x̂ under its share of one body weight, by the Hertz law.
-        Indentation = Quantity::INDENTATION_HERTZ.labelled("x/R at 1 BW, Hertz")
+        Indentation = "x̂ under its share of one body weight, by the Hertz law.", Quantity::INDENTATION_HERTZ.labelled("x/R at 1 BW, Hertz")
             .with_column("indentation_at_rest_over_radius_hertz_law")
             => entry(Always, |s| s.at_one_body_weight(|rest| rest.hertz));
-        /// x̂ under its share of one body weight, by the model's law; below 0 if the smoothing alone carries the load.
-        IndentationModelLaw = Quantity::INDENTATION_MODEL_LAW.labelled("  by the model's law")
+        IndentationModelLaw = "x̂ under its share of one body weight, by the model's law; below 0 if the smoothing alone carries the load.",
+            Quantity::INDENTATION_MODEL_LAW.labelled("  by the model's law")
             .with_column("indentation_at_rest_over_radius_model_law")
             => entry(IfSmooth, |s| s.at_one_body_weight(|rest| rest.model_law));
-        /// x̂ with the bottoms of all spheres of the limb level, under one body weight, by the Hertz law.
-        LevelIndentation = indentation("relative_indentation_hertz_level", "  level, Hertz")
+        LevelIndentation = "x̂ with the bottoms of all spheres of the limb level, under one body weight, by the Hertz law.",
+            indentation("relative_indentation_hertz_level", "  level, Hertz")
             .with_column("indentation_at_rest_over_radius_level_hertz_law")
             => entry(IfMixed, |s| s.at_one_body_weight(|rest| rest.level_hertz));
-        /// x̂ with the bottoms of all spheres of the limb level, under one body weight, by the model's law.
-        LevelIndentationModelLaw = indentation("relative_indentation_model_law_level", "  level, the model's law")
+        LevelIndentationModelLaw = "x̂ with the bottoms of all spheres of the limb level, under one body weight, by the model's law.",
+            indentation("relative_indentation_model_law_level", "  level, the model's law")
             .with_column("indentation_at_rest_over_radius_level_model_law")
             => entry(IfMixedAndSmooth, |s| s.at_one_body_weight(|rest| rest.level_model_law));
-        /// x̂ with each sphere of the limb at its own height at the default pose, under one body weight, by the Hertz law. Below 0 if the
-        /// sphere does not touch; absent if the pose or the spheres are not known.
-        StandingIndentation = Quantity::new("relative_indentation_hertz_standing", "x/R at its own height, Hertz", "")
+        StandingIndentation = "x̂ with each sphere of the limb at its own height at the default pose, under one body weight, by the Hertz law. \
+             Below 0 if the sphere does not touch; absent if the pose or the spheres are not known.",
+            Quantity::new("relative_indentation_hertz_standing", "x/R at its own height, Hertz", "")
             .with_column("indentation_at_rest_over_radius_default_pose_hertz_law")
             => entry(Never, |s| s.at_one_body_weight(|rest| rest.standing_hertz));
-        /// x̂ with each sphere of the limb at its own height at the default pose, under one body weight, by the model's law.
-        StandingIndentationModelLaw
-            = Quantity::new("relative_indentation_model_law_standing", "x/R at its own height, the model's law", "")
+        StandingIndentationModelLaw = "x̂ with each sphere of the limb at its own height at the default pose, under one body weight, by the model's law.",
+            Quantity::new("relative_indentation_model_law_standing", "x/R at its own height, the model's law", "")
             .with_column("indentation_at_rest_over_radius_default_pose_model_law")
             => entry(Never, |s| s.at_one_body_weight(|rest| rest.standing_model_law));
-        /// x̂ under its share of two body weights, by the Hertz law.
-        IndentationAtTwo = indentation("relative_indentation_hertz_at_two", "x/R at 2 BW, Hertz")
+        IndentationAtTwo = "x̂ under its share of two body weights, by the Hertz law.",
+            indentation("relative_indentation_hertz_at_two", "x/R at 2 BW, Hertz")
             .with_column("indentation_at_2_body_weights_over_radius_hertz_law")
             => entry(Always, |s| s.at_two_body_weights(|rest| rest.hertz));
-        /// x̂ under its share of two body weights, by the model's law.
-        IndentationModelLawAtTwo = indentation("relative_indentation_model_law_at_two", "  by the model's law")
+        IndentationModelLawAtTwo = "x̂ under its share of two body weights, by the model's law.",
+            indentation("relative_indentation_model_law_at_two", "  by the model's law")
             .with_column("indentation_at_2_body_weights_over_radius_model_law")
             => entry(IfSmooth, |s| s.at_two_body_weights(|rest| rest.model_law));
-        /// x̂ with the bottoms of all spheres of the limb level, under two body weights, by the Hertz law.
-        LevelIndentationAtTwo = indentation("relative_indentation_hertz_level_at_two", "  level, Hertz")
+        LevelIndentationAtTwo = "x̂ with the bottoms of all spheres of the limb level, under two body weights, by the Hertz law.",
+            indentation("relative_indentation_hertz_level_at_two", "  level, Hertz")
             .with_column("indentation_at_2_body_weights_over_radius_level_hertz_law")
             => entry(IfMixed, |s| s.at_two_body_weights(|rest| rest.level_hertz));
-        /// x̂ with the bottoms of all spheres of the limb level, under two body weights, by the model's law.
-        LevelIndentationModelLawAtTwo
-            = indentation("relative_indentation_model_law_level_at_two", "  level, the model's law")
+        LevelIndentationModelLawAtTwo = "x̂ with the bottoms of all spheres of the limb level, under two body weights, by the model's law.",
+            indentation("relative_indentation_model_law_level_at_two", "  level, the model's law")
             .with_column("indentation_at_2_body_weights_over_radius_level_model_law")
             => entry(IfMixedAndSmooth, |s| s.at_two_body_weights(|rest| rest.level_model_law));
-        /// Stiffness k of the Hertz law under one body weight.
-        ContactStiffness = Quantity::CONTACT_STIFFNESS.labelled("stiffness k")
+        ContactStiffness = "Stiffness k of the Hertz law under one body weight.", Quantity::CONTACT_STIFFNESS.labelled("stiffness k")
             => entry(Always, |s| contact_stiffness(s).into());
-        /// k̂ = k R n / F under one body weight.
-        DimensionlessStiffness = Quantity::DIMENSIONLESS_STIFFNESS.labelled("k R n/F") => entry(Always, |s| {
+        DimensionlessStiffness = "k̂ = k R n / F under one body weight.",
+            Quantity::DIMENSIONLESS_STIFFNESS.labelled("k R n/F") => entry(Always, |s| {
             let k = contact_stiffness(s).zip(s.one_body_weight);
             k.and_then(|(k, load)| stiffness::dimensionless(k, s.contacts.radius_m, &load).ok()).into()
         });
-        /// Natural frequency f_n about the rest under one body weight, from k and the mass on the sphere, M/n.
-        NaturalFrequency = Quantity::NATURAL_FREQUENCY.labelled("frequency f_n") => entry(Always, |s| {
+        NaturalFrequency = "Natural frequency f_n about the rest under one body weight, from k and the mass on the sphere, M/n.",
+            Quantity::NATURAL_FREQUENCY.labelled("frequency f_n") => entry(Always, |s| {
             let k = contact_stiffness(s).zip(s.mass_on_sphere());
             k.and_then(|(k, mass)| stiffness::natural_frequency(k, mass).ok()).into()
         });
-        /// Mean contact stress σ under one body weight.
-        MeanContactStress = Quantity::MEAN_CONTACT_STRESS.labelled("mean stress") => entry(Always, |s| {
+        MeanContactStress = "Mean contact stress σ under one body weight.",
+            Quantity::MEAN_CONTACT_STRESS.labelled("mean stress") => entry(Always, |s| {
             let rest = s.rest_at_one_body_weight().and_then(|rest| Some((rest.load_n, rest.hertz?)));
             rest.and_then(|(load_n, x_hat)| patch::mean_stress(load_n, s.contacts.radius_m, x_hat).ok()).into()
         });
-        /// Restitution c_r of the law at the impact speed.
-        RestitutionExact = Quantity::RESTITUTION_EXACT.with_column("coefficient_of_restitution_exact")
+        RestitutionExact = "Restitution c_r of the law at the impact speed.",
+            Quantity::RESTITUTION_EXACT.with_column("coefficient_of_restitution_exact")
             => entry(Always, |s| s.dissipation_and_speed().and_then(|(alpha, speed)| restitution::exact(alpha, speed).ok()).into());
-        /// Restitution by (13); absent if it is below 0.
-        RestitutionApproximate = Quantity::RESTITUTION_APPROXIMATE.labelled("  by (13)")
+        RestitutionApproximate = "Restitution by (13); absent if it is below 0.", Quantity::RESTITUTION_APPROXIMATE.labelled("  by (13)")
             .with_column("coefficient_of_restitution_equation_13")
             => entry(Always, |s| match s.dissipation_and_speed() {
                 Some((alpha, speed)) => restitution::approximate(alpha, speed).map_or(ComputedFigure::Beyond, ComputedFigure::Known),
                 None => ComputedFigure::Unknown,
             });
-        /// Constant indentation √cf / R; absent for a `HuntCrossleyForce`. Of several forces the largest.
-        ConstantIndentation
-            = Quantity::new("constant_indentation", "sqrt(cf)/R", "").by_equation("C.2").with_limit(&limits::CONSTANT_INDENTATION)
+        ConstantIndentation = "Constant indentation √cf / R; absent for a `HuntCrossleyForce`. Of several forces the largest.",
+            Quantity::new("constant_indentation", "sqrt(cf)/R", "").by_equation("C.2").with_limit(&limits::CONSTANT_INDENTATION)
             .with_column("constant_indentation_over_radius")
             => entry(Always, |s| {
                 s.largest_of_smoothing(|values, radius| smoothing::constant_indentation(values.constant_contact_force, radius)).into()
             });
-        /// Width Δx̂ over which the contact state goes from 5 % to 95 %, in radii. Of several forces the largest.
-        TransitionWidth
-            = Quantity::new("transition_width", "transition, in R", "").by_equation("C.7").with_limit(&limits::TRANSITION_WIDTH)
+        TransitionWidth = "Width Δx̂ over which the contact state goes from 5 % to 95 %, in radii. Of several forces the largest.",
+            Quantity::new("transition_width", "transition, in R", "").by_equation("C.7").with_limit(&limits::TRANSITION_WIDTH)
             .with_column("transition_width_over_radius")
             => entry(Always, |s| {
                 let threshold = limits::TRANSITION_SHARE;
                 s.largest_of_smoothing(|values, radius| smoothing::transition_width(threshold, values.hertz_smoothing, radius)).into()
             });
-        /// Force at rest while the sphere just touches, x = 0.
-        ForceJustTouching = Quantity::FORCE_JUST_TOUCHING.labelled("force at touch")
+        ForceJustTouching = "Force at rest while the sphere just touches, x = 0.", Quantity::FORCE_JUST_TOUCHING.labelled("force at touch")
             => entry(Always, |s| s.force_just_touching().into());
-        /// Force at rest while the sphere just touches, over its share of one body weight.
-        TouchingShare = Quantity::new("touching_share", "  over the load at 1 BW", "").with_limit(&limits::TOUCHING_SHARE)
+        TouchingShare = "Force at rest while the sphere just touches, over its share of one body weight.",
+            Quantity::new("touching_share", "  over the load at 1 BW", "").with_limit(&limits::TOUCHING_SHARE)
             .with_column("force_just_touching_over_load_at_1_body_weight")
             => entry(Always, |s| {
                 let share = s.force_just_touching().zip(s.one_body_weight);

@@ -107,63 +107,50 @@ fn figure_names(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
 osim_inspect::quantities! {
     /// A quantity of a design, see [`Quantity`].
     DesignQuantity {
-        /// Load F/n on each sphere.
-        LoadPerSphere = Quantity::new("load_per_sphere_n", "load per sphere", "N").by_equation("3");
-        /// Radius R of the sphere.
-        Radius = Quantity::RADIUS.by_equation("11, B.2");
-        /// Relative indentation x̂ under the load.
-        RelativeIndentation = Quantity::new("relative_indentation", "relative indentation", "")
+        LoadPerSphere = "Load F/n on each sphere.", Quantity::new("load_per_sphere_n", "load per sphere", "N").by_equation("3");
+        Radius = "Radius R of the sphere.", Quantity::RADIUS.by_equation("11, B.2");
+        RelativeIndentation = "Relative indentation x̂ under the load.", Quantity::new("relative_indentation", "relative indentation", "")
             .by_equation("2, 11").with_limit(&limits::INDENTATION);
-        /// Indentation x under the load.
-        Indentation = Quantity::new("indentation_m", "indentation", "m").by_equation("2");
-        /// Composite modulus E* of both surfaces; by (11), from `stiffness` or from `young`.
-        CompositeModulus = Quantity::COMPOSITE_MODULUS.by_equation("11");
-        /// Plane strain modulus E₁* of one of two equal surfaces: the number for OpenSim.
-        Stiffness = Quantity::property(Property::Stiffness).by_equation("A.4");
-        /// Plane strain modulus E₁* of the first of two different surfaces.
-        FirstModulus = Quantity::new("first_modulus_n_m2", "modulus of the first surface", "N/m2").by_equation("A.1");
-        /// Plane strain modulus E₂* of the other surface.
-        OtherModulus = Quantity::new("other_modulus_n_m2", "modulus of the other surface", "N/m2").by_equation("A.1");
-        /// Composite modulus of the two surfaces in OpenSim; the composite modulus above is by Johnson's rule (A.2).
-        CompositeModulusOpenSim
-            = Quantity::new("composite_modulus_opensim_n_m2", "composite modulus in OpenSim", "N/m2").by_equation("A.3");
-        /// Composite modulus in OpenSim over that by Johnson's rule.
-        OpenSimOverJohnson
-            = Quantity::new("opensim_over_johnson", "  over the one by Johnson", "").by_equation("A.2, A.3");
-        /// Stiffness k of one sphere under the load.
-        ContactStiffness = Quantity::CONTACT_STIFFNESS;
-        /// k̂ = k R n / F under the load.
-        DimensionlessStiffness = Quantity::DIMENSIONLESS_STIFFNESS;
-        /// Mean contact stress σ under the load.
-        MeanContactStress = Quantity::MEAN_CONTACT_STRESS;
-        /// Diameter of the contact patch under the load.
-        ContactPatchDiameter = Quantity::new("contact_patch_diameter_m", "contact patch diameter", "m").by_equation("15");
-        /// Natural frequency f_n about the rest under one body weight, from k and the mass on the sphere, M/n.
-        NaturalFrequency = Quantity::NATURAL_FREQUENCY;
-        /// Frequency about the rest from gravity and the indentation at rest.
-        EquilibriumFrequency = Quantity::new("equilibrium_frequency_hz", "equilibrium frequency", "Hz").by_equation("B.5");
-        /// Speed before the impact.
-        ImpactSpeed = Quantity::IMPACT_SPEED.by_equation("13");
-        /// Coefficient of restitution c_r that is wanted.
-        Restitution = Quantity::new("restitution", "restitution", "").by_equation("13").with_limit(&limits::RESTITUTION);
-        /// Dissipation α that gives it.
-        Dissipation = Quantity::property(Property::Dissipation).by_equation("13");
-        /// Restitution of the law itself with that dissipation.
-        RestitutionExact
-            = Quantity::new("restitution_exact_at_this_dissipation", "restitution exact at this dissipation", "")
+        Indentation = "Indentation x under the load.", Quantity::new("indentation_m", "indentation", "m").by_equation("2");
+        CompositeModulus = "Composite modulus E* of both surfaces; by (11), from `stiffness` or from `young`.",
+            Quantity::COMPOSITE_MODULUS.by_equation("11");
+        Stiffness = "Plane strain modulus E₁* of one of two equal surfaces: the number for OpenSim.",
+            Quantity::property(Property::Stiffness).by_equation("A.4");
+        FirstModulus = "Plane strain modulus E₁* of the first of two different surfaces.",
+            Quantity::new("first_modulus_n_m2", "modulus of the first surface", "N/m2").by_equation("A.1");
+        OtherModulus = "Plane strain modulus E₂* of the other surface.",
+            Quantity::new("other_modulus_n_m2", "modulus of the other surface", "N/m2").by_equation("A.1");
+        CompositeModulusOpenSim = "Composite modulus of the two surfaces in OpenSim; the composite modulus above is by Johnson's rule (A.2).",
+            Quantity::new("composite_modulus_opensim_n_m2", "composite modulus in OpenSim", "N/m2").by_equation("A.3");
+        OpenSimOverJohnson = "Composite modulus in OpenSim over that by Johnson's rule.",
+            Quantity::new("opensim_over_johnson", "  over the one by Johnson", "").by_equation("A.2, A.3");
+        ContactStiffness = "Stiffness k of one sphere under the load.", Quantity::CONTACT_STIFFNESS;
+        DimensionlessStiffness = "k̂ = k R n / F under the load.", Quantity::DIMENSIONLESS_STIFFNESS;
+        MeanContactStress = "Mean contact stress σ under the load.", Quantity::MEAN_CONTACT_STRESS;
+        ContactPatchDiameter = "Diameter of the contact patch under the load.",
+            Quantity::new("contact_patch_diameter_m", "contact patch diameter", "m").by_equation("15");
+        NaturalFrequency = "Natural frequency f_n about the rest under one body weight, from k and the mass on the sphere, M/n.",
+            Quantity::NATURAL_FREQUENCY;
+        EquilibriumFrequency = "Frequency about the rest from gravity and the indentation at rest.",
+            Quantity::new("equilibrium_frequency_hz", "equilibrium frequency", "Hz").by_equation("B.5");
+        ImpactSpeed = "Speed before the impact.", Quantity::IMPACT_SPEED.by_equation("13");
+        Restitution = "Coefficient of restitution c_r that is wanted.",
+            Quantity::new("restitution", "restitution", "").by_equation("13").with_limit(&limits::RESTITUTION);
+        Dissipation = "Dissipation α that gives it.", Quantity::property(Property::Dissipation).by_equation("13");
+        RestitutionExact = "Restitution of the law itself with that dissipation.",
+            Quantity::new("restitution_exact_at_this_dissipation", "restitution exact at this dissipation", "")
             .by_equation(DesignQuantity::EXACT_LAW);
-        /// Dissipation with which the law itself has the restitution that is wanted; absent for a restitution of 0.
-        DissipationExact
-            = Quantity::new("dissipation_for_exact_restitution_s_m", "dissipation for exact restitution", "s/m")
+        DissipationExact = "Dissipation with which the law itself has the restitution that is wanted; absent for a restitution of 0.",
+            Quantity::new("dissipation_for_exact_restitution_s_m", "dissipation for exact restitution", "s/m")
             .by_equation(DesignQuantity::EXACT_LAW);
-        /// cf, which gives the constant indentation √cf / R that is wanted.
-        ConstantContactForce = Quantity::property(Property::ConstantContactForce).by_equation("C.2");
-        /// bd, which gives the width of the contact transition that is wanted.
-        HertzSmoothing = Quantity::property(Property::HertzSmoothing).by_equation("C.8");
-        /// bv, which gives the width in speed that is wanted.
-        HuntCrossleySmoothing = Quantity::property(Property::HuntCrossleySmoothing).by_equation("C.10");
-        /// Force at rest while the sphere just touches, x = 0; by (C.3) where no dissipation is known.
-        ForceJustTouching = Quantity::FORCE_JUST_TOUCHING;
+        ConstantContactForce = "cf, which gives the constant indentation √cf / R that is wanted.",
+            Quantity::property(Property::ConstantContactForce).by_equation("C.2");
+        HertzSmoothing = "bd, which gives the width of the contact transition that is wanted.",
+            Quantity::property(Property::HertzSmoothing).by_equation("C.8");
+        HuntCrossleySmoothing = "bv, which gives the width in speed that is wanted.",
+            Quantity::property(Property::HuntCrossleySmoothing).by_equation("C.10");
+        ForceJustTouching = "Force at rest while the sphere just touches, x = 0; by (C.3) where no dissipation is known.",
+            Quantity::FORCE_JUST_TOUCHING;
     }
 }
 

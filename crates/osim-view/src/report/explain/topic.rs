@@ -196,7 +196,7 @@ impl QuantityTopic {
 
     fn of_register(quantity: &'static Quantity) -> Self {
         let limit = quantity.limit.map(|limit| format!("{} ({})", limit.in_words(), limit.source));
-        let topic = Self::new(quantity.name, quantity.unit, quantity.meaning_text());
+        let topic = Self::new(quantity.name, quantity.unit, quantity.meaning);
         Self { equation: quantity.equation, limit, ..topic }
     }
 
