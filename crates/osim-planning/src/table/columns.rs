@@ -4,12 +4,9 @@ use std::collections::BTreeMap;
 
 use osim_model::messages::{Input, Phrase, Verb, phrase};
 use osim_requests::register::{Entry, List, OptionValue, option_named};
-use osim_requests::{CHANGING, silent_fields};
+use osim_requests::{CHANGING, silent_fields, verb_entry};
 
 use crate::verbs::changing_verbs;
-
-/// The field of `fit` with the file of the model.
-const MODEL_COLUMN_OF_FIT: &str = "file";
 
 /// Other headers of the column `model`, without blanks and marks.
 const OTHER_HEADERS_OF_MODEL: [&str; 5] = ["file", "path", "filename", "modelfile", "modelpath"];
@@ -38,7 +35,7 @@ pub(super) enum CellKind {
 
 /// The field of a verb that has the path of the model.
 pub(super) fn model_field(verb: Verb) -> &'static str {
-    if verb == Verb::Fit { MODEL_COLUMN_OF_FIT } else { "models" }
+    verb_entry(verb).positional.first().copied().unwrap_or_default()
 }
 
 /// A column of a table of models: the field that it gives, and how its cells are read.
@@ -214,7 +211,7 @@ fn did_you_mean(cell: &str, name: &str, known: &BTreeMap<String, Option<CellKind
 fn fields() -> BTreeMap<String, Option<CellKind>> {
     let of_verb = |verb: Verb| {
         let names = silent_fields(verb).into_iter().map(|(name, _)| name);
-        let named = names.filter(|name| !["models", "set", MODEL_COLUMN_OF_FIT].contains(&name.as_str()));
+        let named = names.filter(move |name| !["set", model_field(verb)].contains(&name.as_str()));
         named.filter_map(move |name| Some((name.clone(), kind_of_cells(&option_named(verb, &name)?))))
     };
     CHANGING.iter().copied().flat_map(of_verb).collect()
