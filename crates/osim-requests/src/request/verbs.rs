@@ -31,6 +31,8 @@ pub struct VerbEntry {
     pub details: &'static str,
     /// Purpose of the verb, as the heading of a form; if empty, the name of the verb is the heading.
     title: &'static str,
+    /// What the contacts on a report page are, for its title.
+    pub contacts: &'static str,
     /// The heading at the top of a report.
     pub purpose: &'static str,
     /// The fields that a call has without their names, in order. Schemas have them as `x-positional`.
@@ -41,7 +43,7 @@ impl VerbEntry {
     /// A verb with its group, its fields without names, and a line of help.
     const fn new(group: VerbGroup, positional: &'static [&'static str], about: &'static str) -> Self {
         let purpose = "What contacts the model has, and what they do under its weight. Nothing was changed.";
-        Self { group, about, details: "", title: "", purpose, positional }
+        Self { group, about, details: "", title: "", contacts: "Changed contacts", purpose, positional }
     }
 
     const fn details(self, details: &'static str) -> Self {
@@ -50,6 +52,10 @@ impl VerbEntry {
 
     const fn title(self, title: &'static str) -> Self {
         Self { title, ..self }
+    }
+
+    const fn contacts(self, contacts: &'static str) -> Self {
+        Self { contacts, ..self }
     }
 
     const fn purpose(self, purpose: &'static str) -> Self {
@@ -235,6 +241,7 @@ verbs! {
                   `from=GENERIC` first. With a note in the model (see note), SCALED `target_mass=KG` `follow_bodies` needs no other \
                   file; without one, `body_scale_file` takes the ScaleSet that was applied.")
         .title("Scale the contacts")
+        .contacts("Rescaled contacts")
         .purpose("Contacts that are made for one body mass, rescaled to another: each parameter is multiplied by the factor that its \
                   equation gives, so that the dimensionless contact stays the same.");
     Transfer(TransferRequest) change = VerbEntry::new(VerbGroup::Change, &["models"],
@@ -242,26 +249,31 @@ verbs! {
         .details("After OpenSim's Scale Tool: check SCALED `from=GENERIC` says where each sphere belongs, and transfer SCALED \
                   `from=GENERIC` `follow_bodies` `output=OUT` puts it there and makes the contacts right for the new mass.")
         .title("Take the contacts of another model")
+        .contacts("Transferred contacts")
         .purpose("The contacts of another model, given to this one at its own mass, radii and number of spheres, so that the dimensionless contact is the reference's.");
     Add(AddRequest) change = VerbEntry::new(VerbGroup::Change, &["models"],
         "Give a model contacts: of another model, a table, or under its bones")
         .details("Spheres are placed by the size of this model's own bones, and their numbers made for its mass. remove takes them out \
                   again.")
         .title("Add contacts")
+        .contacts("Added contacts")
         .purpose("Contacts for a model that had none, at its own size, with numbers made for its mass: equal to a reference's in dimensionless form, or as asked for.");
     Remove(RemoveRequest) change = VerbEntry::new(VerbGroup::Change, &["models"],
         "Take the foot contacts out of a model")
         .details("After add, and also after a later rescale, remove restores the original file byte for byte.")
         .title("Remove the contacts")
+        .contacts("Removed contacts")
         .purpose("Contacts taken out of the model. Nothing else was changed.");
     Convert(ConvertRequest) change = VerbEntry::new(VerbGroup::Change, &["models"],
         "Make forces of one class from those of the other, one for each sphere")
         .details("It also divides a HuntCrossleyForce with several spheres into one force for each sphere, of either class.")
         .title("Convert the forces")
+        .contacts("Converted contacts")
         .purpose("Forces of another class, one for each sphere, with the same stiffness, dissipation and friction.");
     Design(DesignRequest) change = VerbEntry::new(VerbGroup::Change, &["models"],
         "Find parameters from what is wanted: indentation, stiffness, restitution")
         .title("Design the contacts")
+        .contacts("Designed contacts")
         .purpose("Parameters found from what the contacts should do.");
     Set(SetRequest) change = VerbEntry::new(VerbGroup::Change, &["models"],
         "Set properties to a value, or multiply them by a factor")
@@ -285,6 +297,7 @@ verbs! {
         .details("No number changes. OpenSim keeps the note when it scales the model: check SCALED knows then what the contacts were \
                   made for and whether spheres followed their bodies, and SCALED `target_mass=KG` `follow_bodies` moves them without \
                   the generic model.")
+        .contacts("Noted contacts")
         .purpose("The mass that the contacts were made for, written into the file. No number was changed.");
     Batch(BatchRequest) = VerbEntry::new(VerbGroup::Change, &["manifest"],
         "Change many models, as a table says: one row per model")
@@ -294,9 +307,11 @@ verbs! {
         .details("After OpenSim's Scale Tool: check SCALED `from=GENERIC` says where each sphere belongs, and prints the transfer \
                   SCALED `from=GENERIC` `follow_bodies` that puts it there. Where the generic model had a note, check SCALED alone is \
                   enough.")
+        .contacts("Check of contacts")
         .purpose("Models compared with the limits of the paper and the traps of the format. Nothing was changed.");
     Inspect(InspectRequest) = VerbEntry::new(VerbGroup::Look, &["models"],
-        "Show what contacts a model has");
+        "Show what contacts a model has")
+        .contacts("Contacts");
     Plot(PlotRequest) = VerbEntry::new(VerbGroup::Look, &["kind", "models"],
         "Draw what contacts do, as SVG, PDF or PNG");
     Explain(ExplainRequest) = VerbEntry::new(VerbGroup::More, &["topics"],

@@ -4,6 +4,7 @@ use std::io::{self, Write};
 
 use osim_model::messages::{Input, Verb, terminal_safe};
 use osim_requests::spell::FrontEnd;
+use osim_requests::verb_entry;
 
 use crate::html::explained::{self, Topics, file_name};
 use crate::html::fragment::Fragment;
@@ -248,18 +249,7 @@ impl PageHead {
     }
 
     pub(super) fn title(&self, models: usize) -> String {
-        let what = match self.verb {
-            Verb::Rescale => "Rescaled contacts",
-            Verb::Transfer => "Transferred contacts",
-            Verb::Add => "Added contacts",
-            Verb::Convert => "Converted contacts",
-            Verb::Remove => "Removed contacts",
-            Verb::Design => "Designed contacts",
-            Verb::Note => "Noted contacts",
-            Verb::Check => "Check of contacts",
-            Verb::Inspect => "Contacts",
-            _ => "Changed contacts",
-        };
+        let what = verb_entry(self.verb).contacts;
         match &self.model {
             Some(model) => format!("{what}: {}", file_name(model)),
             None => format!("{what}: {models} models"),
