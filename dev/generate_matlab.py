@@ -35,6 +35,11 @@ def function_name(verb):
     return verb.replace("-", "_")
 
 
+def result_of(verb):
+    """The schema in schemas/results/ of what a verb gives; None: it gives no JSON."""
+    return RESULTS.get(verb.name, "change")
+
+
 def quoted(text):
     return "'" + text.replace("'", "''") + "'"
 
@@ -88,7 +93,7 @@ def described(verb, field, used):
     return f"{in_matlab(field.description, used)}{default_of(field)}. Takes {what_it_takes(verb, field)}."
 
 
-def help_of(verb, options, used):
+def help_of(verb, verbs, options, used):
     name = function_name(verb.name)
     positional = list(verb.positional)
     fields = {field.name: field for field in verb.fields}
@@ -104,17 +109,18 @@ def help_of(verb, options, used):
     for field in options:
         needed = " Must be given." if field.name in verb.required else ""
         lines += comment(f"{field.name}: {described(verb, field, used)}{needed}", "  ", "      ")
-    if RESULTS[verb.name]:
+    result = result_of(verb)
+    if result:
         lines += comment("AsTable: true gives a table with a row for each result; the name of a list in the results, such as "
-                         f"{quoted(a_list(RESULTS[verb.name]))}, one with a row for each of its entries. Columns without any value are "
+                         f"{quoted(a_list(result))}, one with a row for each of its entries. Columns without any value are "
                          "left out. In GNU Octave, which has no tables, a struct of columns.", "  ", "      ")
-        fields = top_fields(RESULTS[verb.name])
+        fields = top_fields(result)
         lines += ["%"] + comment(f"RESULTS: an array of structs with the fields {', '.join(fields)}. "
                                  "docs/reference/json.md and schemas/ say what each holds; what is missing is NaN, '' or empty.")
     else:
         lines += ["%"] + comment("RESULTS: a struct with the fields output (the file) and text (remarks on it).")
     lines += ["%"] + comment("Example, in the folder of the program's archive:") + ["%       " + line for line in EXAMPLES[verb.name].strip().splitlines()]
-    lines += ["%"] + comment("See also " + ", ".join(f"osimcontact.{other}" for other in related_functions(verb.name)) + ".")
+    lines += ["%"] + comment("See also " + ", ".join(f"osimcontact.{other}" for other in related_functions(verb, verbs)) + ".")
     return lines
 
 
@@ -122,10 +128,10 @@ def first_sentence(text):
     return re.split(r"(?<=\.)\s", " ".join(text.split()))[0]
 
 
-def related_functions(verb):
-    changes = [other for other, result in RESULTS.items() if result == "change"]
-    group = changes if verb in changes else [other for other in RESULTS if other not in changes]
-    return [function_name(other) for other in group if other != verb] + ["program"]
+def related_functions(verb, verbs):
+    changes = sorted((other for other in verbs if other.name not in RESULTS), key=lambda other: other.changes or len(verbs))
+    group = list(RESULTS) if verb.name in RESULTS else [other.name for other in changes]
+    return [function_name(other) for other in group if other != verb.name] + ["program"]
 
 
 def a_list(result):
@@ -142,9 +148,9 @@ def top_fields(result):
     return [ERRORS_OF_FIT.get(name, name) for name in names if name != "schema_version" and not name.endswith("_bytes")]
 
 
-def verb_file(verb, used):
+def verb_file(verb, verbs, used):
     options = [f for f in verb.fields if f.group != LEFT_OUT and f.name not in verb.positional]
-    text = [f"function results = {function_name(verb.name)}(varargin)", *help_of(verb, options, used), "", HEADER,
+    text = [f"function results = {function_name(verb.name)}(varargin)", *help_of(verb, verbs, options, used), "", HEADER,
             f"    results = osimcontact.internal.run_verb({quoted(function_name(verb.name))}, varargin);", "end", ""]
     return "\n".join(text)
 
@@ -159,7 +165,7 @@ def declared_file(verbs):
         required = [argument for argument in positional if argument in verb.required]
         if positional[:len(required)] != required:
             sys.exit(f"{verb.name}: what must be given comes first among what has no name: {positional}")
-        result = RESULTS[verb.name]
+        result = result_of(verb)
         flags = [field.name for field in verb.fields if set(field.kinds) == {"boolean"} and field.name in names]
         options = textwrap.wrap(cell([*names, "as_table"]), WIDTH, break_on_hyphens=False)
         lines += [f"        case {quoted(function_name(verb.name))}",
@@ -228,7 +234,7 @@ def shape_lines(target, shape):
 def shapes_file():
     lines = ["function shape = shapes(result)",
              "%SHAPES The fields of a result, each with its kind: see complete_fields.m.", "", HEADER, "    switch result"]
-    results = {result for result in RESULTS.values() if result} | {result for _, result in WITHOUT.values()}
+    results = {"change", *filter(None, RESULTS.values())} | {result for _, result in WITHOUT.values()}
     paths = [RESULT_SCHEMAS / f"{name}.schema.json" for name in sorted(results)]
     for path in [*paths, ROOT / "schemas/failure.schema.json"]:
         schema = json.loads(path.read_text(encoding="utf-8"))
@@ -260,11 +266,12 @@ def contents_file(verbs):
 def files():
     """Every file that is made, by its path."""
     verbs = request_schemas.verbs()
-    missing = {verb.name for verb in verbs} ^ set(RESULTS) | {verb.name for verb in verbs} ^ set(EXAMPLES)
+    names = {verb.name for verb in verbs}
+    missing = set(RESULTS) - names | names ^ set(EXAMPLES)
     if missing:
         sys.exit(f"in dev/matlab_texts.py and in schemas/requests/ there are not the same verbs: {', '.join(sorted(missing))}")
     used = set()
-    written = {PACKAGE / f"{function_name(verb.name)}.m": verb_file(verb, used) for verb in verbs}
+    written = {PACKAGE / f"{function_name(verb.name)}.m": verb_file(verb, verbs, used) for verb in verbs}
     idle = set(NO_STANDARD_STREAMS) - used
     if idle:
         sys.exit(f"no option says this any more, take it out of dev/matlab_texts.py: {', '.join(sorted(idle))}")

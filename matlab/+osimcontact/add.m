@@ -107,7 +107,7 @@ function results = add(varargin)
 %       {change.objects.name}
 %
 %   See also osimcontact.rescale, osimcontact.transfer, osimcontact.remove, osimcontact.convert,
-%   osimcontact.design, osimcontact.set, osimcontact.note, osimcontact.batch, osimcontact.fit,
+%   osimcontact.design, osimcontact.set, osimcontact.fit, osimcontact.note, osimcontact.batch,
 %   osimcontact.program.
 
 % Made by dev/generate_matlab.py from the schemas of requests and results: change those, and run it.

@@ -40,7 +40,7 @@ function results = batch(varargin)
 %       {change.output}
 %
 %   See also osimcontact.rescale, osimcontact.transfer, osimcontact.add, osimcontact.remove,
-%   osimcontact.convert, osimcontact.design, osimcontact.set, osimcontact.note, osimcontact.fit,
+%   osimcontact.convert, osimcontact.design, osimcontact.set, osimcontact.fit, osimcontact.note,
 %   osimcontact.program.
 
 % Made by dev/generate_matlab.py from the schemas of requests and results: change those, and run it.

@@ -50,7 +50,7 @@ function results = convert(varargin)
 %       change = osimcontact.convert('fixtures/table1/human_62kg_smooth_sphere.osim', 'to', 'hunt-crossley', 'output', 'converted.osim');
 %
 %   See also osimcontact.rescale, osimcontact.transfer, osimcontact.add, osimcontact.remove,
-%   osimcontact.design, osimcontact.set, osimcontact.note, osimcontact.batch, osimcontact.fit,
+%   osimcontact.design, osimcontact.set, osimcontact.fit, osimcontact.note, osimcontact.batch,
 %   osimcontact.program.
 
 % Made by dev/generate_matlab.py from the schemas of requests and results: change those, and run it.

@@ -44,7 +44,7 @@ function results = note(varargin)
 %       change = osimcontact.note('fixtures/table1/human_62kg_smooth_sphere.osim', 'contacts_mass', 62, 'output', 'noted.osim');
 %
 %   See also osimcontact.rescale, osimcontact.transfer, osimcontact.add, osimcontact.remove,
-%   osimcontact.convert, osimcontact.design, osimcontact.set, osimcontact.batch, osimcontact.fit,
+%   osimcontact.convert, osimcontact.design, osimcontact.set, osimcontact.fit, osimcontact.batch,
 %   osimcontact.program.
 
 % Made by dev/generate_matlab.py from the schemas of requests and results: change those, and run it.

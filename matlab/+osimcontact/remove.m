@@ -38,7 +38,7 @@ function results = remove(varargin)
 %       change = osimcontact.remove('fixtures/table1/human_62kg_smooth_sphere.osim', 'output', 'bare.osim');
 %
 %   See also osimcontact.rescale, osimcontact.transfer, osimcontact.add, osimcontact.convert,
-%   osimcontact.design, osimcontact.set, osimcontact.note, osimcontact.batch, osimcontact.fit,
+%   osimcontact.design, osimcontact.set, osimcontact.fit, osimcontact.note, osimcontact.batch,
 %   osimcontact.program.
 
 % Made by dev/generate_matlab.py from the schemas of requests and results: change those, and run it.

@@ -69,7 +69,7 @@ function results = rescale(varargin)
 %       [change.changes.factor]
 %
 %   See also osimcontact.transfer, osimcontact.add, osimcontact.remove, osimcontact.convert,
-%   osimcontact.design, osimcontact.set, osimcontact.note, osimcontact.batch, osimcontact.fit,
+%   osimcontact.design, osimcontact.set, osimcontact.fit, osimcontact.note, osimcontact.batch,
 %   osimcontact.program.
 
 % Made by dev/generate_matlab.py from the schemas of requests and results: change those, and run it.

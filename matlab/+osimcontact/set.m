@@ -52,7 +52,7 @@ function results = set(varargin)
 %       change = osimcontact.set('fixtures/table1/human_62kg_smooth_sphere.osim', 'set', factors, 'output', 'stiffer.osim');
 %
 %   See also osimcontact.rescale, osimcontact.transfer, osimcontact.add, osimcontact.remove,
-%   osimcontact.convert, osimcontact.design, osimcontact.note, osimcontact.batch, osimcontact.fit,
+%   osimcontact.convert, osimcontact.design, osimcontact.fit, osimcontact.note, osimcontact.batch,
 %   osimcontact.program.
 
 % Made by dev/generate_matlab.py from the schemas of requests and results: change those, and run it.

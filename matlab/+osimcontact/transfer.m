@@ -94,7 +94,7 @@ function results = transfer(varargin)
 %       change = osimcontact.transfer('fixtures/table1/emu_10_spheres_smooth_sphere.osim', 'from', 'falisse2022', 'output', 'emu as human.osim');
 %
 %   See also osimcontact.rescale, osimcontact.add, osimcontact.remove, osimcontact.convert,
-%   osimcontact.design, osimcontact.set, osimcontact.note, osimcontact.batch, osimcontact.fit,
+%   osimcontact.design, osimcontact.set, osimcontact.fit, osimcontact.note, osimcontact.batch,
 %   osimcontact.program.
 
 % Made by dev/generate_matlab.py from the schemas of requests and results: change those, and run it.
