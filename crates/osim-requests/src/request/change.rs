@@ -3,9 +3,11 @@
 
 use std::path::PathBuf;
 
+use crate::dictionary::{all_fields, given_fields};
 use crate::options::{
-    AnswerOptions, ClassChoice, CountOptions, FollowOptions, ForceOptions, LoadOptions, MassOptions,
-    MirrorChoice, NumberOptions, OutputOptions, ReferenceOptions, RunOptions, ScalingOptions, SetFiles,
+    AnswerOptions, ClassChoice, CountOptions, FollowOptions, ForceOptions, InspectionOptions, LoadOptions,
+    MassOptions, MirrorChoice, NumberOptions, OutputOptions, ReferenceOptions, ReportOptions, RunOptions,
+    ScalingOptions, SetFiles,
 };
 use crate::values::serial::{self, fields};
 use crate::values::{
@@ -68,32 +70,28 @@ fields! {
     } where Required("models");
 }
 
+/// Fields of every call on models, also of one that changes nothing.
+const FIELDS_OF_ANY_CALL: [&str; 4] = ["models", "format", "quiet", "jobs"];
+
 impl RescaleRequest {
     /// Whether a field is given that only makes sense for a change.
     ///
     /// ```
-    /// use osim_requests::RescaleRequest;
+    /// use osim_requests::{Request, RescaleRequest};
     ///
     /// let request = RescaleRequest { models: vec!["human.osim".into()], ..RescaleRequest::default() };
     /// assert!(!request.asks_for_change());
+    /// let request = Request::from_json(br#"{"verb": "rescale", "models": "human.osim", "dissipation_by": "mass"}"#)?;
+    /// assert!(matches!(request, Request::Rescale(rescale) if rescale.asks_for_change()));
+    /// # Ok::<(), osim_requests::RequestFault>(())
     /// ```
     pub fn asks_for_change(&self) -> bool {
-        let (scaling, output, run) = (&self.scaling, &self.output, &self.run);
-        scaling.radius.is_some()
-            || !scaling.only.is_empty()
-            || !scaling.keep.is_empty()
-            || scaling.friction
-            || scaling.target_gravity.is_some()
-            || scaling.level
-            || self.body_scale_file.is_some()
-            || self.follow_bodies
-            || output.output.is_some()
-            || output.output_dir.is_some()
-            || output.in_place
-            || run.dry_run
-            || run.diff
-            || run.summary.is_some()
-            || run.shard.is_some()
+        let inspected = [all_fields(&InspectionOptions::default()), all_fields(&ReportOptions::default())];
+        let is_inspected = |name: &String| {
+            FIELDS_OF_ANY_CALL.contains(&name.as_str())
+                || inspected.iter().any(|fields| fields.contains_key(name))
+        };
+        !given_fields(self).keys().all(is_inspected)
     }
 }
 
