@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Writes three files of python/osim_contact_scale/ from the schemas of requests and results.
+"""Writes files of python/osim_contact_scale/ from the schemas of requests and results.
 
 _verbs.py has a typed function with a docstring for each verb; _option_names.py the names of options that a table may have as columns, and of
-those that name files; _answer_fields.py the types of the numbers and texts of answers.
+those that name files; _answer_fields.py the types of the numbers and texts of answers. Of __init__.py only the names of the verbs are written.
 
     python3 dev/generate_python.py           writes them
     python3 dev/generate_python.py --check   fails where they differ, as after a new option in Rust
@@ -137,7 +137,8 @@ def shape_of(verb: Verb) -> Shape:
 
 def main() -> int:
     is_check, differs = "--check" in sys.argv[1:], False
-    for name, text in {"_verbs.py": module(), "_option_names.py": options(), "_answer_fields.py": answer_fields()}.items():
+    files = {"_verbs.py": module(), "_option_names.py": options(), "_answer_fields.py": answer_fields(), "__init__.py": package()}
+    for name, text in files.items():
         path = FOLDER / name
         if not is_check:
             path.write_text(text, encoding="utf-8")
@@ -153,9 +154,24 @@ def main() -> int:
 
 def module() -> str:
     functions = [function(verb, shape_of(verb)) for verb in verbs()]
-    # Without `set`: `from ... import *` would put it in the place of Python's own.
-    names = [f'    "{name_of(verb)}",' for verb in sorted(verbs(), key=name_of) if verb.name != "set"]
+    names = [f'    "{name}",' for name in sorted(exported_verbs())]
     return "\n".join([HEAD, "__all__ = [", *names, "]", "", "\n\n".join(functions)])
+
+
+def exported_verbs() -> set[str]:
+    """Names of the verbs but `set`: `from ... import *` would put it in the place of Python's own."""
+    return {name_of(verb) for verb in verbs() if verb.name != "set"}
+
+
+def package() -> str:
+    """The package, with the verbs among what it imports and exports."""
+    text, verbs_now = (FOLDER / "__init__.py").read_text(encoding="utf-8"), exported_verbs()
+    head, imported, rest = re.split(r"(?s)(?<=_verbs import \(\n)(.*?)(?=    \)\n)", text)
+    middle, exported, rest = re.split(r"(?s)(?<=__all__ = \[\n)(.*?)(?=\]\n)", rest)
+    others = {*re.findall(r"\w+", exported)} - {*re.findall(r"\w+", imported)}
+    imported = "".join(f"        {name},\n" for name in sorted(verbs_now))
+    exported = "".join(f'    "{name}",\n' for name in sorted(others | verbs_now))
+    return f"{head}{imported}{middle}{exported}{rest}"
 
 
 def options() -> str:
