@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use osim_library::SplitName;
 use osim_library::report_page::Words;
 use osim_model::messages::{Input, Phrase, Verb, phrase};
+use osim_model::nearest_names;
 use osim_requests::{AxisName, Kilograms, PlotKind, no_fig1};
 
 use crate::args::verb_names;
@@ -85,23 +86,16 @@ pub(crate) fn suggested_axis(words: &[String], terms: Words) -> Option<String> {
     Some(text.spelled(terms))
 }
 
-/// A verb that is spelled almost like `word`. If two verbs are equally near, the verb that a call without a verb means comes first.
+/// A verb that is spelled almost like `word`, or that begins like it. If two verbs are equally near, the verb that a call without a verb
+/// means comes first.
 fn similar_verb(word: &Path) -> Option<String> {
     let rescale = Verb::Rescale.name();
-    let others = verb_names().filter(|name| *name != rescale);
-    nearest_name(word.to_str()?, std::iter::once(rescale).chain(others)).map(str::to_owned)
-}
-
-/// The name among `names` that the user probably meant by `word`: a part of `word`, or spelled almost like it.
-fn nearest_name<'n>(word: &str, names: impl Iterator<Item = &'n str>) -> Option<&'n str> {
+    let names = || std::iter::once(rescale).chain(verb_names().filter(|name| *name != rescale));
+    let word = word.to_str()?;
     let flat = |text: &str| text.to_lowercase().replace(['-', '_'], "");
-    let word = flat(word);
-    let is_part = |name: &str| word.len() >= 4 && (name.starts_with(&word) || word.starts_with(name));
-    // Short names are near to everything.
-    let is_near = |name: &str, apart: usize| apart <= usize::from(name.len() > 4) + 1 && apart < word.len();
-    let near = names.filter_map(|name| {
-        let apart = strsim::osa_distance(&flat(name), &word);
-        (is_near(name, apart) || is_part(&flat(name))).then_some((apart, name))
-    });
-    near.min_by_key(|(apart, _)| *apart).map(|(_, name)| name)
+    let is_part = |name: &&str| {
+        let (name, word) = (flat(name), flat(word));
+        word.len() >= 4 && (name.starts_with(&word) || word.starts_with(&name))
+    };
+    nearest_names(word, names(), 2).first().copied().or_else(|| names().find(is_part)).map(str::to_owned)
 }

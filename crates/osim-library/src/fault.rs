@@ -40,6 +40,15 @@ impl LibraryFault {
         Self { message, cause: FaultCause::Busy }
     }
 
+    /// The fault that the file `path` exists already; `option` gives it another name.
+    pub fn file_exists(path: &Path, option: Input) -> Self {
+        let what = if option == Input::OutputDir { "folder" } else { "name" };
+        Self::new(phrase![
+            "{} exists already: choose another {what} with {}, or replace it with {}";
+            path.display().to_string(), option, Input::Force
+        ])
+    }
+
     /// The fault that several results exist already: `which` and how many, with the `first` of them. `resume` goes on with them.
     pub(crate) fn results_exist(which: impl Display, first: &Path, resume: &Phrase) -> Self {
         Self::new(phrase![

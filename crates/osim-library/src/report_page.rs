@@ -57,10 +57,7 @@ impl ReportPage {
             MayReplace::Files => true,
         };
         if path.exists() && !replaces {
-            return Err(LibraryFault::new(phrase![
-                "the report {} exists already: choose another name, or replace it with {}";
-                path.display().to_string(), Input::Force
-            ]));
+            return Err(LibraryFault::file_exists(path, Input::Report));
         }
         make_folder_of(path)?;
         let mode = if replaces { WriteMode::Replace } else { WriteMode::New };

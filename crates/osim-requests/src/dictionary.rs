@@ -3,14 +3,12 @@
 
 use std::fmt;
 
+use osim_model::nearest_names;
 use serde::Serialize;
 use serde::de::{DeserializeOwned, DeserializeSeed, Deserializer, Error, MapAccess, SeqAccess, Visitor};
 use serde_json::{Map, Number, Value};
 
 use crate::fault::{Relation, RequestFault};
-
-/// The largest number of wrong letters in a field name for which the right name is suggested.
-const MOST_WRONG_LETTERS: usize = 2;
 
 /// Reads a request from its fields. A null field counts as absent. Only the `relations` that satisfy `checked` are checked.
 ///
@@ -139,12 +137,10 @@ fn first_bad_item<'v, T: DeserializeOwned>(name: &str, value: &'v Value) -> Opti
 
 /// The known field with the name nearest to `field`.
 fn nearest_field(field: &str, known: &Map<String, Value>) -> Option<String> {
-    let likely = |name: &&String| {
-        name.starts_with(field)
-            || field.starts_with(name.as_str())
-            || strsim::osa_distance(name, field) <= MOST_WRONG_LETTERS
-    };
-    known.keys().filter(likely).min_by_key(|name| strsim::osa_distance(name, field)).cloned()
+    let names = || known.keys().map(String::as_str);
+    let is_part = |name: &&str| name.starts_with(field) || field.starts_with(name);
+    let part = || names().filter(is_part).min_by_key(|name| name.len().abs_diff(field.len()));
+    nearest_names(field, names(), 2).first().copied().or_else(part).map(str::to_owned)
 }
 
 // JSON in which no name appears twice: of two values, nobody can know which one was meant.

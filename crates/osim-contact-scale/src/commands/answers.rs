@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Result, anyhow, bail};
 use contact_plots::Paper;
-use osim_library::{Disk, MotionFiles, WriteMode, make_folder_of, write_files};
+use osim_library::{Disk, LibraryFault, MotionFiles, WriteMode, make_folder_of, write_files};
 use osim_model::messages::{Input, Verb};
 use osim_planning::{
     NextModels, design_sheet, find_presets, presets_of_unlike_spheres, run_drop_test, run_fit, run_motion,
@@ -162,11 +162,7 @@ fn output_files(
 /// Writes all files. If a file exists and may not be replaced, writes none.
 fn write_files_of_reproduction(files: &[(PathBuf, String)], force: bool, session: &Session) -> Result<()> {
     if let Some((there, _)) = files.iter().find(|(path, _)| !force && path.exists()) {
-        let [folder, force] = [Input::OutputDir, Input::Force].map(|input| session.words.input(input, None));
-        bail!(
-            "{} exists already: choose another folder with {folder}, or replace it with {force}",
-            there.display()
-        );
+        return Err(session.file_error(&LibraryFault::file_exists(there, Input::OutputDir)));
     }
     let refused = |fault| session.file_error(&fault);
     let mode = if force { WriteMode::Replace } else { WriteMode::New };

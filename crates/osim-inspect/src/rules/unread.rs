@@ -5,7 +5,7 @@ use foldhash::{HashMap, HashMapExt};
 use osim_model::messages::shown;
 use osim_model::{
     Class, ComponentId, Document, ElementId, Example, FileId, Finding, ForceKind, GEOMETRY_CLASSES,
-    LAST_VERSION_WITH_IS_DISABLED, Model, Repair, component_classes, opensim_text,
+    LAST_VERSION_WITH_IS_DISABLED, Model, Repair, component_classes, nearest_names, opensim_text,
 };
 
 use crate::rules::spheres::other_cases_in_words;
@@ -208,8 +208,6 @@ static FORCE_CLASSES: [&str; 3] =
     [ForceKind::HuntCrossley.as_str(), ForceKind::SmoothSphereHalfSpace.as_str(), "ElasticFoundationForce"];
 /// Classes of early versions of Moco that OpenSim does not have, with the classes that took their place.
 const RENAMED_CLASSES: [(&str, &str); 1] = [("AckermannVanDenBogert2010Force", "SmoothSphereHalfSpaceForce")];
-/// Most wrong letters in a name that is nearly one of OpenSim's; in a short one, fewer than half of its letters are.
-const MOST_WRONG_LETTERS: usize = 2;
 
 /// Finds classes, and properties of contacts and of the sets around them, whose names are nearly OpenSim's names.
 fn find_unknown_names(model: &Model) -> Vec<Finding> {
@@ -327,25 +325,11 @@ pub(super) fn known_children(document: &Document, id: ElementId) -> Option<&'sta
 
 /// The name among `known` that was probably meant by `name`; `None` if OpenSim knows `name`, or no known name is near.
 fn probable_property_name(name: &str, known: &[&'static str]) -> Option<&'static str> {
-    let most_wrong = MOST_WRONG_LETTERS.min(name.len().saturating_sub(1) / 2);
-    if most_wrong == 0 || known.contains(&name) {
+    if known.contains(&name) {
         return None;
     }
     let old = RENAMED_CLASSES.iter().find(|(old, _)| *old == name).map(|(_, new)| *new);
-    // Most names are told apart by which letters they have, in upper or lower case: one wrong letter changes at most two of these bits.
-    let letters = |text: &str| text.chars().fold(0_u32, |bits, letter| bits | 1 << (u32::from(letter) % 32));
-    let is_alike = |known: &&&str| {
-        known.len().abs_diff(name.len()) <= most_wrong
-            && (letters(known) ^ letters(name)).count_ones() as usize <= 2 * most_wrong
-    };
-    let near = || {
-        let alike = known.iter().filter(is_alike);
-        let distance = |known: &str| strsim::osa_distance(&known.to_lowercase(), &name.to_lowercase());
-        let alike = alike.map(|&known| (distance(known), known));
-        let near = alike.filter(|(wrong_letters, _)| *wrong_letters <= most_wrong);
-        near.min_by_key(|(wrong_letters, _)| *wrong_letters).map(|(_, known)| known)
-    };
-    old.or_else(near)
+    old.or_else(|| nearest_names(name, known.iter().copied(), 2).first().copied())
 }
 
 /// The `isDisabled` of a contact force that OpenSim ignores although it would switch the force off.

@@ -72,7 +72,9 @@ pub use mass::{
     Mass, MassRequest, MassSource, are_equal_gravities, are_equal_masses, implausible_mass, is_at_target,
     positive_mass,
 };
-pub use names::{Pattern, PatternError, Side, refuse_name, refuse_name_in_paths, without_side};
+pub use names::{
+    Pattern, PatternError, Side, nearest_names, refuse_name, refuse_name_in_paths, without_side,
+};
 pub use note::{
     BodySize, ChangedContacts, ChangedSinceNote, Credits, Note, NotedNames, NotedParts, Scope, Source, Step,
 };

@@ -1,4 +1,4 @@
-//! Names of objects: names that OpenSim accepts, patterns of names, and the side of the body in a name.
+//! Names of objects: names that OpenSim accepts, patterns of names, misspelled names, and the side of the body in a name.
 
 use std::borrow::Cow;
 use std::fmt;
@@ -127,6 +127,34 @@ impl PartialEq for Pattern {
 }
 
 impl Eq for Pattern {}
+
+/// The names that were probably meant by `written`: of `known`, those with the fewest wrong letters. These are at most `most_wrong`, and
+/// fewer than half of the letters of either name. Upper and lower case, blanks, `-` and `_` do not count.
+///
+/// ```
+/// use osim_model::nearest_names;
+///
+/// assert_eq!(nearest_names("Calcn-R", ["calcn_l", "calcn_r"], 2), ["calcn_r"]);
+/// // Short names are near to everything.
+/// assert!(nearest_names("sex", ["set", "yes"], 2).is_empty());
+/// ```
+pub fn nearest_names<'n>(
+    written: &str,
+    known: impl IntoIterator<Item = &'n str>,
+    most_wrong: usize,
+) -> Vec<&'n str> {
+    let flat = |name: &str| name.to_lowercase().replace([' ', '-', '_'], "");
+    let written = flat(written);
+    let wrong_letters = |name: &'n str| {
+        let other = flat(name);
+        let half = written.len().min(other.len()).saturating_sub(1) / 2;
+        Some((strsim::osa_distance(&written, &other), name))
+            .filter(|(wrong, _)| *wrong <= most_wrong.min(half))
+    };
+    let near: Vec<(usize, &str)> = known.into_iter().filter_map(wrong_letters).collect();
+    let fewest = near.iter().map(|(wrong, _)| *wrong).min();
+    near.into_iter().filter(|(wrong, _)| Some(*wrong) == fewest).map(|(_, name)| name).collect()
+}
 
 // Left and right in names.
 

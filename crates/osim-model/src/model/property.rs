@@ -8,6 +8,7 @@ use contact_scaling::SmoothingValues;
 
 use crate::messages::named;
 use crate::model::fault::{Fault, FaultKind};
+use crate::model::names::nearest_names;
 use crate::xml::opensim_text::NumberFault;
 
 /// A numeric property of a contact force or contact sphere.
@@ -129,8 +130,6 @@ impl FromStr for Property {
 
 /// Names that the caller probably meant by `text`: names with nearly the same spelling, else names that contain it or have the same ending.
 fn probable_names(text: &str) -> Vec<&'static str> {
-    /// The most wrong letters that a misspelled name of a property may have.
-    const MOST_WRONG_LETTERS: usize = 2;
     /// The fewest letters of a text that is searched inside the names of properties.
     const FEWEST_LETTERS_OF_PART: usize = 5;
 
@@ -138,11 +137,9 @@ fn probable_names(text: &str) -> Vec<&'static str> {
     let end = |text: &str| flat(text.rsplit(['-', '_', ' ']).next().unwrap_or_default());
     let (typed, ending) = (flat(text), end(text));
     let names = || Property::ALL.into_iter().map(Property::name);
-    let apart = |name: &str| strsim::osa_distance(&flat(name), &typed);
-    let closest =
-        names().map(apart).min().filter(|&apart| apart <= MOST_WRONG_LETTERS && apart < typed.len());
-    if let Some(closest) = closest {
-        return names().filter(|name| apart(name) == closest).collect();
+    let nearest = nearest_names(text, names(), 2);
+    if !nearest.is_empty() {
+        return nearest;
     }
     let is_part = |name: &&str| {
         (typed.len() >= FEWEST_LETTERS_OF_PART && flat(name).contains(&typed))

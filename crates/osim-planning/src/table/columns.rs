@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use osim_model::messages::{Input, Phrase, Verb, phrase};
+use osim_model::nearest_names;
 use osim_requests::register::{Entry, List, OptionValue, option_named};
 use osim_requests::{CHANGING, silent_fields, verb_entry};
 
@@ -194,16 +195,12 @@ fn message_about_run_option(cell: &str, field: &str) -> Phrase {
 
 /// The hint `: did you mean ...?` with the field that the user probably wanted to write as `cell`; `None` if no field is similar.
 fn did_you_mean(cell: &str, name: &str, known: &BTreeMap<String, Option<CellKind>>) -> Option<String> {
-    let letters = |text: &str| text.replace('_', "");
-    let name = letters(name);
-    // Short names are near to everything: `sex` to `yes`.
-    let is_near = |field: &&String| match strsim::osa_distance(&letters(field), &name) {
-        apart @ ..2 => apart + 3 < name.len(),
-        apart => apart == 2 && name.len() > 7,
-    };
-    let field = known.keys().find(is_near)?;
+    // The user's own columns often have short names.
+    let letters = name.replace('_', "").len();
+    let most_wrong = usize::from(letters > 4) + usize::from(letters > 7);
+    let field = *nearest_names(name, known.keys().map(String::as_str), most_wrong).first()?;
     // As an option of the command line, where the cell is spelled like one.
-    let field = if cell.contains('-') { field.replace('_', "-") } else { field.clone() };
+    let field = if cell.contains('-') { field.replace('_', "-") } else { field.to_owned() };
     Some(format!(": did you mean '{field}'?"))
 }
 

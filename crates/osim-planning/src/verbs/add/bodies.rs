@@ -5,14 +5,12 @@ use std::path::Path;
 use osim_model::feet::FeetFault;
 use osim_model::files::{Failure, OpenModel};
 use osim_model::messages::{Input, Phrase, phrase, readable, shown};
-use osim_model::{Fault, FaultKind, MissingFact};
+use osim_model::{Fault, FaultKind, MissingFact, nearest_names};
 use osim_requests::RequestFault;
 use osim_requests::values::typed_numbers::trimmed;
 
 /// The beginning of the paths that OpenSim gives to bodies.
 const BODY_SET_PATH: &str = "/bodyset/";
-/// A name with at most this many wrong letters is probably a misspelled name of a body.
-const MOST_WRONG_LETTERS: usize = 2;
 
 /// The names of bodies in `texts`, each name once. Commas, semicolons or blanks separate the names in one text.
 ///
@@ -44,12 +42,8 @@ pub(super) fn name_without_path(body: &str) -> &str {
 
 /// The hint `: did you mean calcn_r?`, if one of `bodies` has nearly the same name as `body`.
 pub(super) fn nearest_name_hint(body: &str, bodies: &[String]) -> String {
-    let flat = |name: &str| name.to_lowercase();
-    let apart = |known: &&String| strsim::osa_distance(&flat(known), &flat(body));
-    match bodies.iter().min_by_key(apart).filter(|known| apart(known) <= MOST_WRONG_LETTERS) {
-        Some(known) => format!(": did you mean {}?", shown(known)),
-        None => String::new(),
-    }
+    let nearest = nearest_names(body, bodies.iter().map(String::as_str), 2);
+    nearest.first().map(|known| format!(": did you mean {}?", shown(known))).unwrap_or_default()
 }
 
 /// The reason why contacts cannot be added to a model.

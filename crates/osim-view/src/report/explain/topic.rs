@@ -5,7 +5,7 @@ use std::sync::LazyLock;
 use contact_scaling::Equation;
 use osim_inspect::{Figure, Quantity};
 use osim_model::messages::{Phrase, Verb};
-use osim_model::{Property, Rule, YesQuestion};
+use osim_model::{Property, Rule, YesQuestion, nearest_names};
 use osim_planning::{DesignQuantity, DropColumn, DropFigure, rules};
 use osim_requests::spell::FrontEnd;
 
@@ -89,9 +89,6 @@ fn topics_called(name: &str) -> Vec<Topic> {
     topics
 }
 
-/// A topic is proposed if the likeness of its name to the given name is at least this; equal names have 1.
-const LEAST_LIKENESS: f64 = 0.7;
-
 /// If a given name has at least this many letters, longer names that contain it are proposed. A shorter name is contained in too many
 /// names.
 const LEAST_LETTERS_OF_PART: usize = 5;
@@ -103,10 +100,8 @@ impl UnknownTopic {
     /// The fault about this name, with the names of similar topics.
     fn new(name: &str) -> Self {
         let topics: Vec<&'static str> = Topic::all().into_iter().map(Topic::name).collect();
-        let likeness = |topic: &str| strsim::normalized_damerau_levenshtein(name, topic);
-        let nearest = topics.iter().copied().max_by(|a, b| likeness(a).total_cmp(&likeness(b)));
-        let mut similar_names: Vec<&'static str> =
-            nearest.into_iter().filter(|topic| likeness(topic) >= LEAST_LIKENESS).collect();
+        let mut similar_names = nearest_names(name, topics.iter().copied(), name.len() * 3 / 10);
+        similar_names.truncate(1);
         if similar_names.is_empty() && name.len() >= LEAST_LETTERS_OF_PART {
             similar_names = topics.into_iter().filter(|topic| topic.contains(name)).collect();
             similar_names.dedup();
