@@ -90,6 +90,11 @@ json_records! {
 }
 
 impl SizeList {
+    /// The ratio of lengths, if it comes from the distances between joints.
+    pub fn length_ratio_of_joints(&self) -> Option<f64> {
+        self.length_ratio.filter(|_| self.compared_bodies > 0)
+    }
+
     /// Whether the list has anything besides bodies. It has not if a model has contacts, but no muscle, spring or actuator.
     pub fn is_worth_showing(&self) -> bool {
         let more_than_bodies = self.kinds.iter().any(|row| row.kind != SizedKind::Inertia.as_str());

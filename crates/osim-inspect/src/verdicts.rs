@@ -261,7 +261,7 @@ fn describe_origin(inspected: &InspectedModel<'_>, worst: FindingCode) -> Option
 
 /// The recorded mass that the contacts are made for: `made for 500 kg (note in the file, by rescale)`.
 fn made_for(inspected: &InspectedModel<'_>) -> Option<Phrase> {
-    let mass = inspected.inspection.contacts_mass_kg.as_ref().filter(|mass| mass.recorded)?;
+    let mass = inspected.inspection.contacts_mass_kg.as_ref().filter(|mass| mass.from.is_about_contacts())?;
     let note = inspected.model.note.as_ref().filter(|_| mass.source == MassSource::Note.as_str());
     let by = note.and_then(|note| note.steps.last()).map(|step| format!(", by {}", step_in_words(step)));
     Some(phrase!["made for {} kg ({}{})"; readable(mass.value), &mass.description, by.unwrap_or_default()])

@@ -12,7 +12,8 @@ use osim_model::compare::{Factors, ModelSize, ScaleFile, Similarity, SpherePlace
 use osim_model::files::{Failure, FileName, Files, OpenModel};
 use osim_model::messages::{Phrase, phrase};
 use osim_model::{
-    Anatomy, Document, Fault, Finding, FindingCode, MassRequest, Model, Selection, Severity, are_equal_masses,
+    Anatomy, Document, Fault, FaultKind, Finding, FindingCode, MassRequest, Model, Selection, Severity,
+    are_equal_masses,
 };
 use osim_requests::options::{AnswerOptions, InspectionOptions, SetFiles};
 use osim_requests::{CheckRequest, InspectRequest, Kilograms};
@@ -310,7 +311,9 @@ impl Inspector {
     pub fn refuse_without_contacts(&self, opened: &OpenModel, inspected: &Inspection) -> Result<(), Failure> {
         let has_error = inspected.findings.iter().any(|finding| finding.severity == Severity::Error);
         match self.options.selection.apply(&opened.model) {
-            Err(fault) if fault.code() == "no-contacts" && !has_error => Err(opened.failure(fault)),
+            Err(fault) if matches!(fault.kind, FaultKind::NoContacts { .. }) && !has_error => {
+                Err(opened.failure(fault))
+            }
             _ => Ok(()),
         }
     }

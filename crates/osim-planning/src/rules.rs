@@ -175,8 +175,7 @@ rule! { MASS_AGAINST_LENGTH: MassAgainstLength, Remark, Mass;
 
 /// The remark that a model is much more dense, or much less dense, than the model before scaling.
 pub(crate) fn find_mass_against_length(sizes: &SizeList) -> Option<Finding> {
-    let (mass, length) =
-        sizes.mass_ratio.zip(sizes.length_ratio.filter(|_| sizes.length_source == "joints"))?;
+    let (mass, length) = sizes.mass_ratio.zip(sizes.length_ratio_of_joints())?;
     let similar = length.powi(3);
     let density = mass / similar;
     let is_unlike = density >= UNLIKE_DENSITY_RATIO || density * UNLIKE_DENSITY_RATIO <= 1.0;
@@ -218,7 +217,7 @@ pub(crate) fn find_dissipation_forms(
     let (mass, radius) = (sizes.mass_ratio?, radius_m / reference_m);
     let ratios = |radius| Ratios::new(RatioValues { mass, sphere_count: 1.0, radius, gravity }).ok();
     let forms = forms_of_dissipation(&ratios(radius)?, from)?;
-    let legs = sizes.length_ratio.filter(|_| sizes.length_source == "joints").and_then(ratios);
+    let legs = sizes.length_ratio_of_joints().and_then(ratios);
     let legs = legs.map(|legs| four_significant(from * legs.dissipation()));
     let legs = legs.map(|legs| format!(", {legs} s/m by length of bones that at speeds of legs"));
     let text = format!("{forms}{}; this model has {}", legs.unwrap_or_default(), four_significant(now));

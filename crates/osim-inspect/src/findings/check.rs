@@ -5,8 +5,8 @@
 use std::cell::LazyCell;
 
 use osim_model::{
-    Finding, FindingCode, ForceId, MassRequest, MassSource, Model, Property, Selection, Severity, Suspicion,
-    YesQuestion, are_equal_masses,
+    FaultKind, Finding, FindingCode, ForceId, MassRequest, MassSource, Model, Property, Selection, Severity,
+    Suspicion, YesQuestion, are_equal_masses,
 };
 use osim_requests::options::{AnswerOptions, ForceOptions, MassOptions};
 use osim_requests::{Kilograms, Request, RescaleRequest};
@@ -100,7 +100,7 @@ fn collect_findings(
     if has_gravity && !has_finding(FindingCode::UnknownName) {
         findings.extend(apply_figure_rules(&FigureCheck::new(inspected, &remedies)));
     }
-    if options.selection.apply(model).is_err_and(|fault| fault.code() == "no-contacts") {
+    if options.selection.apply(model).is_err_and(|fault| matches!(fault.kind, FaultKind::NoContacts { .. })) {
         // A model without contacts needs no number of spheres.
         findings.retain(|finding| finding.code() != FindingCode::CountUnknown);
     }

@@ -64,7 +64,7 @@ impl InspectOptions {
         });
         findings.extend(factors.iter().flat_map(|factors| factors.findings.iter().cloned()));
         for fault in [mass.as_ref().err(), contacts_mass.as_ref().err()].into_iter().flatten() {
-            let mut finding = contacts::stale_note(fault).unwrap_or_else(|| contacts::mass_unknown(fault));
+            let mut finding = contacts::mass_unknown(fault);
             finding.position = fault.offset.map(|offset| model.file(fault.file).position(offset));
             if !findings.contains(&finding) {
                 findings.push(finding);

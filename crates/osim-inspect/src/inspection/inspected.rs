@@ -8,7 +8,8 @@ use contact_scaling::DimensionlessContact;
 use osim_model::compare::{BodyFactors, SpherePlacements};
 use osim_model::messages::{Dialect, Phrase, readable};
 use osim_model::{
-    Body, DVec3, Finding, Limb, Mass, Model, Property, Sphere, SphereId, TextPosition, ValueOrigin,
+    Body, DVec3, Finding, Limb, Mass, MassSource, Model, Property, Sphere, SphereId, TextPosition,
+    ValueOrigin,
 };
 use serde::{Serialize, Serializer};
 
@@ -100,9 +101,8 @@ json_records! {
         /// Source of the mass, for people.
         #[serde(skip)]
         pub description: Phrase = mass.source.describe(),
-        /// Whether a note or the caller gives it. Otherwise it is what the model weighs.
         #[serde(skip)]
-        pub recorded: bool = mass.source.is_about_contacts(),
+        pub from: MassSource = mass.source.clone(),
     }
 }
 
@@ -114,7 +114,7 @@ impl ContactsMass {
     /// The mass in words: `62 kg (note in the file)`, or `not recorded (the body weighs 20 kg)`.
     pub fn in_words(&self) -> String {
         let kg = readable(self.value);
-        if self.recorded {
+        if self.from.is_about_contacts() {
             format!("{kg} kg ({})", self.description)
         } else {
             format!("not recorded (the body weighs {kg} kg)")

@@ -2,7 +2,8 @@
 
 use osim_model::messages::{Input, Phrase, four_significant, phrase, readable};
 use osim_model::{
-    Example, Fault, FaultKind, Finding, MassRequest, Model, Pattern, Repair, Selection, are_equal_masses,
+    Example, Fault, FaultKind, Finding, MassRequest, MassSource, Model, Pattern, Repair, Selection,
+    are_equal_masses,
 };
 use osim_requests::options::MassOptions;
 use osim_requests::{Kilograms, Request, RescaleRequest};
@@ -70,11 +71,6 @@ rule! { pub(crate) MASS_UNKNOWN: MassUnknown, Warning, Mass;
     example: Example::ElementText { tag: "mass", good: "61.5", bad: "-1" },
 }
 
-/// The finding that a mass is not known. `fault` says why.
-pub(crate) fn mass_unknown(fault: &Fault) -> Finding {
-    Finding::new(&MASS_UNKNOWN, fault.phrase())
-}
-
 rule! { pub(crate) STALE_NOTE: StaleNote, Remark, Mass;
     what: "The note that this program left in the file no longer fits its contacts.",
     why: "The note says which mass the contacts were made for. Contacts were changed after it was written, or only some of them were scaled, or the note is damaged.",
@@ -83,9 +79,10 @@ rule! { pub(crate) STALE_NOTE: StaleNote, Remark, Mass;
     example: Example::Models { good: "check/noted.osim", bad: "check/stale_note.osim" },
 }
 
-/// The finding that the note is out of date, if `fault` says that a mass is not known because of this.
-pub(crate) fn stale_note(fault: &Fault) -> Option<Finding> {
-    (fault.code() == "stale-note").then(|| Finding::new(&STALE_NOTE, fault.phrase()))
+/// The finding that a mass is not known, perhaps because the note is out of date. `fault` says why.
+pub(crate) fn mass_unknown(fault: &Fault) -> Finding {
+    let is_stale = fault.code() == STALE_NOTE.code.as_str();
+    Finding::new(if is_stale { &STALE_NOTE } else { &MASS_UNKNOWN }, fault.phrase())
 }
 
 rule! { pub(crate) COUNT_UNKNOWN: CountUnknown, Remark, Mass;
@@ -145,7 +142,7 @@ pub(crate) fn find_contacts_of_another_mass(
     let known = inspected.known_contacts?;
     let made_for = known.made_for_kg;
     let is_as_published =
-        inspected.contacts_mass_kg.as_ref().is_some_and(|mass| mass.source == "known-contacts");
+        inspected.contacts_mass_kg.as_ref().is_some_and(|mass| matches!(mass.from, MassSource::Known(_)));
     if !is_as_published || are_equal_masses(mass, made_for) {
         return None;
     }

@@ -52,7 +52,7 @@ fn sunk_in_level(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> {
 
 /// Advice if the contacts are recorded as made for this mass. Scaling them does not help then.
 fn advice_if_made_for_this_body(check: &FigureCheck<'_>) -> Option<Phrase> {
-    let made_for = check.inspected.contacts_mass_kg.as_ref().filter(|mass| mass.recorded)?;
+    let made_for = check.inspected.contacts_mass_kg.as_ref().filter(|mass| mass.from.is_about_contacts())?;
     let weighs_kg = check.inspected.figures.mass_kg.filter(|&kg| are_equal_masses(kg, made_for.value))?;
     Some(phrase![
         "They were made for {} kg ({}), which the body weighs: make them stiffer, for a relative indentation of {}";

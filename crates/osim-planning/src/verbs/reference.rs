@@ -96,7 +96,7 @@ pub(super) fn reference_from_file(
     let read = || reference_of_opened(request, from, &open(from, files)?, mass_of_published, files);
     read().map_err(|mut failure: Failure| {
         // The usual advice is for the model that gets the contacts.
-        if failure.code == "incomplete-set" {
+        if failure.code == MissingFact::ForceSet.code() {
             let why = "a set without its model cannot be a reference: name the model it belongs to";
             failure.message = why.into();
         }
