@@ -7,6 +7,7 @@ use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{Arg, ArgAction, ArgMatches, Command, FromArgMatches, Subcommand};
 use osim_model::messages::{Input, Phrase, Verb, shown};
 use osim_requests::command_line::{read, with_options};
+use osim_requests::register::option_named;
 use osim_requests::{Request, RequestFault, VerbEntry, VerbGroup, verb_entry};
 use osim_view::report::ExitStatus;
 use osim_view::report::layout::break_long_lines;
@@ -172,13 +173,14 @@ const QUIET_ARGUMENT_OF_COMMAND: &str = "quiet-command";
 /// The parser of a verb with `--quiet`.
 fn with_quiet(command: Command) -> Command {
     let is_there = command.get_arguments().any(|argument| argument.get_id() == Input::Quiet.name());
-    let quiet =
-        Arg::new(QUIET_ARGUMENT_OF_COMMAND).short('q').long(Input::Quiet.name()).action(ArgAction::SetTrue);
+    let Some(option) = option_named(Verb::Rescale, Input::Quiet.name()).filter(|_| !is_there) else {
+        return command;
+    };
+    let quiet = Arg::new(QUIET_ARGUMENT_OF_COMMAND).short(option.short).long(option.name);
     // Where the short help has all options, this one is there, too.
     let is_rare = command.get_arguments().any(Arg::is_hide_short_help_set);
-    let quiet =
-        quiet.help("Print errors only").help_heading("Output").hide_short_help(is_rare).display_order(1000);
-    if is_there { command } else { command.arg(quiet) }
+    let quiet = quiet.action(ArgAction::SetTrue).help(option.help).help_heading(option.heading);
+    command.arg(quiet.hide_short_help(is_rare).display_order(1000))
 }
 
 /// Whether `--quiet` was typed.

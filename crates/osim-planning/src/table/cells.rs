@@ -13,7 +13,7 @@ use serde_json::{Map, Value};
 
 use crate::opening::{find_preset, looks_like_file};
 use crate::sheet::{BROKEN_FORMULA_MESSAGE, Row, Sheet, is_broken_formula};
-use crate::table::columns::{CellKind, Column, Columns};
+use crate::table::columns::{CellKind, Column, Columns, VERBS_OF_COLUMNS};
 use crate::verbs::changing_verbs;
 
 /// What is wrong with a row of a table of models.
@@ -138,26 +138,18 @@ fn filled_cells<'r>(row: &'r Row, columns: &'r Columns) -> impl Iterator<Item = 
 
 /// The verb of a row: the text in its verb cell; else the verb that the other cells of the row show.
 fn verb_of_row(row: &Row, columns: &Columns) -> Result<Verb, RowFault> {
-    let has = |kind: CellKind, field: &str| {
+    let filled = |field: &str| {
         filled_cells(row, columns)
-            .find(|(column, _)| column.kind == kind && (field.is_empty() || column.field == field))
+            .find(|(column, _)| column.field == field && column.kind != CellKind::UserColumn)
     };
-    if let Some((column, cell)) = has(CellKind::Verb, "") {
+    if let Some((column, cell)) = filled("verb") {
         let known = CHANGING.iter().copied().find(|verb| verb.name().eq_ignore_ascii_case(cell));
         return known
             .ok_or_else(|| RowFault::of(&column.header, format!("'{cell}', expected {}", changing_verbs())));
     }
-    if has(CellKind::From, "").is_some() {
-        return Ok(Verb::Transfer);
-    }
-    if has(CellKind::Set, "").is_some() {
-        return Ok(Verb::Set);
-    }
-    if has(CellKind::Value, "target_mass").is_some() {
-        return Ok(Verb::Rescale);
-    }
+    let shown = VERBS_OF_COLUMNS.into_iter().find(|(field, _)| filled(field).is_some());
     let message = "what to do is missing: fill in a target mass (rescale), from (transfer), set, or verb";
-    Err(RowFault::general(message))
+    shown.map(|(_, verb)| verb).ok_or_else(|| RowFault::general(message))
 }
 
 fn presets_file_of_row(row: &Row, columns: &Columns, folder: &Path) -> Option<PathBuf> {

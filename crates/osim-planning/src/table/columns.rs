@@ -12,8 +12,9 @@ use crate::verbs::changing_verbs;
 /// Other headers of the column `model`, without blanks and marks.
 const OTHER_HEADERS_OF_MODEL: [&str; 5] = ["file", "path", "filename", "modelfile", "modelpath"];
 
-/// Columns that say what happens to the model of a row. In a table without any of them, `mass` can only be the target mass.
-const COLUMNS_OF_CHANGES: [&str; 4] = ["target_mass", "from", "set", "verb"];
+/// Columns that say what happens to the model of a row without its verb, each with that verb; the first that is filled counts.
+pub(super) const VERBS_OF_COLUMNS: [(&str, Verb); 3] =
+    [("from", Verb::Transfer), ("set", Verb::Set), ("target_mass", Verb::Rescale)];
 
 /// The way in which a cell of a column becomes a value of a request.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -70,8 +71,10 @@ impl Columns {
             .iter()
             .map(|cell| other_header(cell, &known).filter(|name| !has(name)).unwrap_or(cell))
             .collect();
-        let is_change = |name: &&str| COLUMNS_OF_CHANGES.contains(&field_of_header(name).as_str());
-        let has_change = names.iter().any(is_change);
+        // In a table that says in no other column what happens to a model, `mass` can only be the target mass.
+        let is_change =
+            |name: &str| name == "verb" || VERBS_OF_COLUMNS.iter().any(|(column, _)| *column == name);
+        let has_change = names.iter().any(|name| is_change(&field_of_header(name)));
         let mut columns: Vec<Column> = Vec::new();
         let mut wrong: Vec<Phrase> = Vec::new();
         for (cell, name) in header.iter().zip(names) {

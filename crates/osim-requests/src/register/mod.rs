@@ -49,7 +49,7 @@ impl Request {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::request::silent_fields;
+    use crate::request::{silent_fields, verb_entry};
 
     /// The names of the options of all verbs in a group.
     fn options_of(group: FieldGroup) -> Vec<&'static str> {
@@ -82,6 +82,11 @@ mod tests {
                 let is_list = option.list != List::One || option.takes == OptionValue::Assignments;
                 assert_eq!(is_list, silent.is_array() || silent.is_object(), "{name}");
                 assert!(!option.help.is_empty(), "{name}");
+                // What the parser takes more than once says so, and nothing else does.
+                let is_repeated =
+                    option.list == List::Repeated && !verb_entry(verb).positional.contains(&&*name);
+                let says_so = ["may be repeated", "one for each motion", "once for each"];
+                assert_eq!(is_repeated, says_so.iter().any(|words| option.help.contains(words)), "{name}");
             }
         }
     }

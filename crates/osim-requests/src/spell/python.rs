@@ -13,9 +13,6 @@ const IMPORT_LINE: &str = "import osim_contact_scale as ocs";
 /// The line of a script that prints its result.
 const PRINT_RESULT: &str = "print(result)";
 
-/// Fields without a keyword in the function that plans a change of one model; methods of the plan do their work.
-const OPTIONS_OF_PLAN: [&str; 2] = ["dry_run", "report"];
-
 /// Fields that a row of a table has, but not a call for all rows.
 const OPTIONS_OF_ROWS: [&str; 2] = ["output", "geometry_output"];
 
@@ -99,10 +96,10 @@ fn plans_one_model(fields: &Fields) -> bool {
 fn call_of(fields: &Fields) -> String {
     let mut arguments: Vec<String> =
         fields.positional.iter().flat_map(|field| positional_arguments(fields.verb, field)).collect();
-    let left_out: &[&str] = match fields.verb {
-        Verb::Batch => &OPTIONS_OF_ROWS,
-        _ if fields.changes => &OPTIONS_OF_PLAN,
-        _ => &[],
+    // A call that only plans has no options of runs, such as `dry_run` and `report`.
+    let is_left_out = |name: &str| match fields.verb {
+        Verb::Batch => OPTIONS_OF_ROWS.contains(&name),
+        verb => fields.changes && option_named(verb, name).is_some_and(|option| option.is_of_run),
     };
     let groups: &[FieldGroup] = match fields.verb {
         Verb::Plot | Verb::Reproduce => &[FieldGroup::Shown, FieldGroup::Output],
@@ -112,7 +109,7 @@ fn call_of(fields: &Fields) -> String {
     if fields.changes && !plans_one_model(fields) && !fields.models().is_empty() {
         return call_of_many(fields);
     }
-    let named = fields.outside_groups(groups).filter(|(name, _)| !left_out.contains(&name.as_str()));
+    let named = fields.outside_groups(groups).filter(|(name, _)| !is_left_out(name));
     arguments.extend(keyword_arguments(named));
     function_call(fields.verb, &arguments)
 }
