@@ -1,7 +1,8 @@
 //! The verb `remove`: removes contacts from models.
 
+use osim_inspect::describe_unmatched_patterns;
 use osim_model::messages::{Input, Phrase, Verb, counted, phrase, readable};
-use osim_model::{Fault, Model, Note, Selection};
+use osim_model::{Fault, MassRequest, Model, Note, Selection};
 use osim_patch::{ObjectAction, Plan, added_forces, note_of_remaining, remove};
 use osim_requests::options::InspectionOptions;
 use osim_requests::{RemoveRequest, RequestFault};
@@ -21,7 +22,8 @@ pub(super) fn prepare(request: RemoveRequest) -> Result<PreparedChange, RequestF
     refuse_geometry_output(&output)?;
     let selection = choice.selection();
     let planner = move |model: &Model| plan_removal(model, &selection);
-    let inspection = InspectionOptions { choice, answers, ..InspectionOptions::default() };
+    // The result is judged by the forces that are left.
+    let inspection = InspectionOptions { answers, ..InspectionOptions::default() };
     Ok(PreparedChange::new(Verb::Remove, models, output, inspection, planner))
 }
 
@@ -48,6 +50,7 @@ fn plan_removal(model: &Model, selection: &Selection) -> Result<Plan, Fault> {
     let missing_names = remarks_on_missing_names(&rebuilt);
     let mut plan = Plan::from_objects(rebuilt, summary.into());
     plan.remarks.extend(missing_names);
+    plan.remarks.extend(describe_unmatched_patterns(selection, &MassRequest::default(), model));
     if let Some(note) = &note {
         plan.remarks.push(remark_on_kept_note(note));
     }

@@ -3,8 +3,8 @@
 use std::path::{Path, PathBuf};
 
 use osim_inspect::model_findings;
-use osim_model::FileId;
 use osim_model::files::{CompanionPaths, Files, InMemory, ModelFiles};
+use osim_model::{FileId, FindingCode};
 use osim_planning::prepare;
 use osim_requests::Request;
 use serde_json::json;
@@ -60,4 +60,20 @@ fn the_changed_model_is_what_its_bytes_are_read_as() {
         }
     }
     assert!(compared > 200, "{compared}");
+}
+
+#[test]
+fn forces_that_were_removed_are_not_missed_in_the_result() {
+    let files = fixtures();
+    let path = Path::new("table1/human_62kg_smooth_sphere.osim");
+    let call = json!({"verb": "remove", "models": [path], "select": ["contact_s1_*", "heel_*"]});
+    let change = prepare(Request::from_json(call.to_string().as_bytes()).unwrap(), &files).unwrap();
+    let plan = change.plan(&change.open(path, &files).unwrap(), &files).unwrap();
+    for code in [FindingCode::UnmatchedPattern, FindingCode::CountUnknown] {
+        assert!(plan.findings.iter().all(|finding| finding.code() != code), "{:?}", plan.findings);
+    }
+    // A pattern that fits nothing in the model before is still said.
+    let remarks: Vec<String> = plan.remarks.iter().map(ToString::to_string).collect();
+    let unmatched: Vec<&String> = remarks.iter().filter(|text| text.contains("has such a name")).collect();
+    assert!(unmatched.len() == 1 && unmatched[0].contains("heel_*"), "{remarks:?}");
 }
