@@ -9,7 +9,6 @@ use osim_model::messages::{
     Phrase, counted, four_significant, named, phrase, readable, shown, three_significant,
 };
 use osim_model::{FindingCode, MassSource, Model, Severity, VerdictTopic};
-use osim_requests::spell::Speller;
 use serde::{Serialize, Serializer};
 
 use crate::inspection::{Inspection, StandingBody, step_in_words};
@@ -96,11 +95,6 @@ impl Verdict {
             Err(why) => (Sign::Unknown, why),
         };
         Self { on, sign, text, place: None, codes: Vec::new() }
-    }
-
-    /// Writes the text of the verdict in the words of a front end.
-    pub(crate) fn spell(&mut self, speller: &dyn Speller) {
-        self.text.spell(speller);
     }
 }
 

@@ -178,7 +178,7 @@ impl CheckResult {
 
     /// Writes all texts of the result in the words of a front end.
     pub fn spell(&mut self, speller: &dyn Speller) {
-        self.verdicts.iter_mut().for_each(|verdict| verdict.spell(speller));
+        self.verdicts.iter_mut().for_each(|verdict| verdict.text.spell(speller));
         self.findings.iter_mut().for_each(|finding| finding.spell(speller));
         self.commands = self.steps.iter().map(|step| speller.request(step)).collect();
     }
