@@ -110,23 +110,9 @@ pub(crate) fn noted_sizes(model: &Model, followed: Option<&BTreeSet<SphereId>>) 
     sizes
 }
 
-/// Writes `note` into `document` and removes all earlier notes.
-pub(crate) fn write_note(document: &Document, note: &Note) -> Vec<Edit> {
-    write_note_with(document, note, |credits| credits.edits(Some(note)))
-}
-
-/// Writes `note` into `document` beside an earlier note about contacts that were removed. Removing the new note restores the
-/// text.
-pub(crate) fn write_second_note(document: &Document, note: &Note) -> Vec<Edit> {
-    write_note_with(document, note, |credits| credits.edits_for_another(note))
-}
-
-/// Writes the note: into the credits of a model by the edits that `of` gives, or as a comment into a set.
-fn write_note_with(
-    document: &Document,
-    note: &Note,
-    of: impl Fn(&Credits<'_>) -> Vec<(Range<usize>, String)>,
-) -> Vec<Edit> {
+/// Writes `note` into the credits of a model, or as a comment into a set, and removes all earlier notes. With `is_second`, an earlier note
+/// in the credits, about contacts that were removed, stays beside it; without the new note the text is as it was.
+pub(crate) fn write_note(document: &Document, note: &Note, is_second: bool) -> Vec<Edit> {
     let (tree, root) = (document.tree(), document.data_root());
     if !document.is_model() {
         let (mut comments, text) = (Note::comment_spans(document), note.comment());
@@ -137,7 +123,10 @@ fn write_note_with(
         return std::iter::once(own).chain(comments.map(|span| removal_edit(tree, span))).collect();
     }
     match Credits::of(document) {
-        Ok(Some(credits)) => edits_in_credits(tree, &credits, of(&credits)),
+        Ok(Some(credits)) => {
+            let edits = if is_second { credits.edits_for_another(note) } else { credits.edits(Some(note)) };
+            edits_in_credits(tree, &credits, edits)
+        }
         Ok(None) => insert(tree, root, &ORDER_AROUND_CREDITS, &[NewElement::leaf(CREDITS_TAG, note.text())]),
         // Reading such a model was refused.
         Err(_) => Vec::new(),

@@ -385,11 +385,7 @@ impl Plan {
             || tree.name(document.data_root()) == "ContactGeometrySet";
         let earlier = self.rebuilt.as_ref().map_or(EarlierNote::Replaced, |rebuilt| rebuilt.earlier_note);
         if let (Some(note), true) = (&self.note, noted && !self.is_empty()) {
-            let leave = match earlier {
-                EarlierNote::KeptBeside => note_edits::write_second_note,
-                _ => note_edits::write_note,
-            };
-            edits.extend(leave(document, note));
+            edits.extend(note_edits::write_note(document, note, earlier == EarlierNote::KeptBeside));
         } else if noted
             && !self.is_empty()
             && !matches!(earlier, EarlierNote::TakenOut | EarlierNote::Untouched)

@@ -93,7 +93,7 @@ impl InspectOptions {
             mass_kg: mass.as_ref().map(|mass| mass.kg),
             mass_source: mass.as_ref().map(|mass| mass.source.describe()).unwrap_or_default(),
             gravity_m_s2: model.gravity(),
-            contacts_mass_kg: contacts_mass.as_ref().map(ContactsMass::new),
+            contacts_mass_kg: contacts_mass.as_ref().map(ContactsMass::from),
             note: None,
             limbs: limbs.if_known().map(inspected_limbs),
             stance_limbs,

@@ -107,10 +107,6 @@ json_records! {
 }
 
 impl ContactsMass {
-    pub fn new(mass: &Mass) -> Self {
-        Self::from(mass)
-    }
-
     /// The mass in words: `62 kg (note in the file)`, or `not recorded (the body weighs 20 kg)`.
     pub fn in_words(&self) -> String {
         let kg = readable(self.value);

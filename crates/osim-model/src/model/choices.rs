@@ -22,20 +22,22 @@ use crate::model::Property;
 pub struct PropertySet(Vec<Property>);
 
 impl Default for PropertySet {
-    /// All properties that the paper scales: radius, E₁*, α and the three smoothing parameters.
     fn default() -> Self {
-        Self(vec![
-            Property::Radius,
-            Property::Stiffness,
-            Property::Dissipation,
-            Property::ConstantContactForce,
-            Property::HertzSmoothing,
-            Property::HuntCrossleySmoothing,
-        ])
+        Self(Self::SCALED.to_vec())
     }
 }
 
 impl PropertySet {
+    /// All properties that the paper scales: radius, E₁*, α and the three smoothing parameters.
+    pub const SCALED: [Property; 6] = [
+        Property::Radius,
+        Property::Stiffness,
+        Property::Dissipation,
+        Property::ConstantContactForce,
+        Property::HertzSmoothing,
+        Property::HuntCrossleySmoothing,
+    ];
+
     /// Adds the friction speeds, which the paper does not scale: `transition_velocity` ∝ √(g R) and `viscous_friction` ∝ 1/√(g R).
     pub fn with_friction(mut self) -> Self {
         self.0.extend([Property::TransitionVelocity, Property::ViscousFriction]);
@@ -55,7 +57,7 @@ impl PropertySet {
     /// Whether the set has all properties that the paper scales. The radius may be missing: the other properties then follow from the
     /// unchanged radius.
     pub fn is_complete(&self) -> bool {
-        Self::default().0.iter().all(|&property| property == Property::Radius || self.contains(property))
+        Self::SCALED.into_iter().all(|property| property == Property::Radius || self.contains(property))
     }
 }
 

@@ -197,14 +197,9 @@ impl MassRequest {
         (!are_equal_masses(noted_kg, given_kg) && model.doubt_about_note().is_none()).then_some(noted_kg)
     }
 
-    /// A warning for each other source of the model's mass that differs from `taken`. The note is ignored, because the model gets other
-    /// contacts.
-    pub fn weight_disagreements(&self, model: &Model, taken: &Mass) -> Vec<Finding> {
-        self.disagreements(model, taken, None)
-    }
-
-    /// A warning for each other source, and for the mass `noted`, that differs from the mass `taken`.
-    fn disagreements(&self, model: &Model, taken: &Mass, noted: Option<(f64, Phrase)>) -> Vec<Finding> {
+    /// A warning for each other source, and for the mass `noted`, that differs from the mass `taken`. A model that gets other contacts has
+    /// no noted mass.
+    pub fn disagreements(&self, model: &Model, taken: &Mass, noted: Option<(f64, Phrase)>) -> Vec<Finding> {
         let noted_kg = noted.as_ref().map(|(kg, _)| *kg);
         let mut others: Vec<(f64, Phrase)> = noted.into_iter().collect();
         if let (Some(kg), true) = (self.model_kg, taken.source != MassSource::Mass) {

@@ -12,7 +12,7 @@ use std::path::Path;
 use osim_inspect::{Figure, unexplained_mass};
 use osim_model::files::{Failure, ModelFiles};
 use osim_model::messages::{Phrase, shortest};
-use osim_model::{MassRequest, Property, YesQuestion};
+use osim_model::{MassRequest, PropertySet, YesQuestion};
 use osim_requests::{AxisName, RequestError, RequestFault, SweepRequest};
 
 use grid::{point_at, points_along, points_at_ends, zero_padded};
@@ -274,16 +274,6 @@ fn message_with_point(failure: &Failure, job: &VariantJob) -> Phrase {
     message
 }
 
-/// Properties that are columns of the table of variants.
-const PROPERTY_COLUMNS: [Property; 6] = [
-    Property::Radius,
-    Property::Stiffness,
-    Property::Dissipation,
-    Property::ConstantContactForce,
-    Property::HertzSmoothing,
-    Property::HuntCrossleySmoothing,
-];
-
 /// The beginning of the name of a column with the values of an axis.
 const GRID_PREFIX: &str = "grid_";
 /// The column with the stiffness that each step of a ladder aims at.
@@ -299,7 +289,7 @@ const FIRST_COLUMNS_OF_SWEEP: [&str; 2] = ["index", "file"];
 
 /// Names of all columns: number and file, values of the grid or ladder (`asked`), parameters of the contacts, and figures.
 fn header(asked: Vec<String>) -> Vec<String> {
-    let properties = PROPERTY_COLUMNS.map(|property| property.name().to_owned());
+    let properties = PropertySet::SCALED.map(|property| property.name().to_owned());
     let follows = [
         HERTZ_INDENTATION,
         MODEL_LAW_INDENTATION,
@@ -323,7 +313,7 @@ fn row_of_table(
     (worse, sha256): (&[&str], String),
 ) -> Vec<String> {
     let cell = |value: Option<f64>| value.map(shortest).unwrap_or_default();
-    let properties = PROPERTY_COLUMNS.map(|property| cell(variant.common_value(property)));
+    let properties = PropertySet::SCALED.map(|property| cell(variant.common_value(property)));
     let follows = [
         variant.indentations(Figure::Indentation),
         variant.indentations(Figure::IndentationModelLaw),

@@ -112,7 +112,7 @@ records! {
             geometry_output.and_then(|path| FileName::from(path).into_parts().1),
         /// The mass that the contacts were made for before; null where nobody knows.
         contacts_mass_kg: Option<ContactsMass> =
-            plan.masses.as_ref().map(|masses| ContactsMass::new(&masses.contacts_mass)),
+            plan.masses.as_ref().map(|masses| ContactsMass::from(&masses.contacts_mass)),
         /// The mass that the contacts are made for afterwards, kg; null where `contacts_mass_kg` is.
         target_mass_kg: Option<f64> = plan.masses.as_ref().map(|masses| masses.target_mass_kg),
         /// Whole objects that are added or removed. Numbers of objects that are added change `from` what they are made from.
