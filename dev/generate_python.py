@@ -2,7 +2,7 @@
 """Writes files of python/osim_contact_scale/ from the schemas of requests and results.
 
 _verbs.py has a typed function with a docstring for each verb; _option_names.py the names of options that a table may have as columns, and of
-those that name files; _answer_fields.py the types of the numbers and texts of answers. Of __init__.py only the names of the verbs are written.
+those that name files; _answer_fields.py the types of the fields of answers. Of __init__.py only the names of the verbs are written.
 
     python3 dev/generate_python.py           writes them
     python3 dev/generate_python.py --check   fails where they differ, as after a new option in Rust
@@ -17,6 +17,7 @@ import textwrap
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import Any
 
 from request_schemas import Field, Verb, verbs
 
@@ -47,6 +48,8 @@ PROPERTIES = (
 
 # Keywords that the schemas leave open, and that the program asks for in every call.
 NEEDED = {"rescale": {"target_mass"}}
+# Fields of answers that are properties of the classes in _answers.py.
+PROPERTIES_OF_ANSWERS = {"series"}
 # Types that say more than the schemas.
 TYPES = {
     "body_scale": "str | Sequence[str] | Mapping[str, float | Sequence[float]]",
@@ -199,22 +202,46 @@ def options() -> str:
 
 
 def answer_fields() -> str:
-    """A class for each answer: its numbers and texts, for type checkers and editors."""
+    """A class for each answer with the types of its fields, and one for each record in them."""
     answers = {"DropTest": "drop-test", "Motion": "motion", "Fit": "fit", "DesignSheet": "design", "Preset": "preset", "Reproduction": "reproduction", "Explanation": "explanation"}
-    kinds = {"number": "float", "integer": "int", "string": "str", "boolean": "bool", "null": "None"}
-    parts = [ANSWER_FIELDS_HEAD]
+    records, parts = {}, []
     for name, result in answers.items():
         schema = json.loads((RESULTS / f"{result}.schema.json").read_text(encoding="utf-8"))
-        types: dict[str, str] = {}
-        for variant in schema.get("oneOf", [schema]):
-            for field_name, value in variant["properties"].items():
-                words = [value["type"]] if isinstance(value.get("type"), str) else value.get("type", ["object"])
-                if all(word in kinds for word in words) and field_name != "schema_version":
-                    types[field_name] = " | ".join(kinds[word] for word in words)
+        for record, definition in schema.get("$defs", {}).items():
+            records[record] = class_of(f"{record}(TypedDict)", field_types([definition]))
+        types = field_types(schema.get("oneOf", [schema]))
+        types = {field_name: kind for field_name, kind in types.items() if field_name not in PROPERTIES_OF_ANSWERS}
         if name == "DesignSheet":
             types |= dict.fromkeys(schema["$defs"]["DesignFigure"]["properties"]["name"]["enum"], "float")
-        parts.append("\n".join([f"class {name}Fields:", "    __slots__ = ()", "", *(f"    {field_name}: {kind}" for field_name, kind in types.items()), ""]))
-    return "\n\n".join(parts)
+        parts.append(class_of(f"{name}Fields", types, "    __slots__ = ()", ""))
+    return "\n\n".join([ANSWER_FIELDS_HEAD, *records.values(), *parts])
+
+
+def field_types(variants: Iterable[Mapping[str, Any]]) -> dict[str, str]:
+    """The type of each field; a field of several variants has the types of all."""
+    types: dict[str, dict[str, None]] = {}
+    for variant in variants:
+        for name, schema in variant["properties"].items():
+            # Names of files that are not UTF-8 have their bytes beside them: fields that are almost never there.
+            if name != "schema_version" and not name.endswith("_bytes"):
+                kind = field_type(schema)
+                # A field that is not required is left out in place of null.
+                types.setdefault(name, {})[kind if name in variant["required"] else kind.removesuffix(" | None")] = None
+    return {name: " | ".join(of_variants) for name, of_variants in types.items()}
+
+
+def field_type(schema: Mapping[str, Any]) -> str:
+    kinds = {"number": "float", "integer": "int", "string": "str", "boolean": "bool", "null": "None"}
+    if "$ref" in schema:
+        return schema["$ref"].removeprefix("#/$defs/")
+    if "anyOf" in schema:
+        return " | ".join(map(field_type, schema["anyOf"]))
+    words = [schema["type"]] if isinstance(schema["type"], str) else schema["type"]
+    return " | ".join(f"list[{field_type(schema['items'])}]" if word == "array" else kinds[word] for word in words)
+
+
+def class_of(name: str, types: Mapping[str, str], *first: str) -> str:
+    return "\n".join([f"class {name}:", *first, *(f"    {field_name}: {kind}" for field_name, kind in types.items()), ""])
 
 
 def literal(name: str, meaning: str, words: Iterable[str]) -> str:
@@ -230,9 +257,11 @@ from typing import Literal
 
 '''
 
-ANSWER_FIELDS_HEAD = '''"""Types of the numbers and texts of answers. Written by dev/generate_python.py from the schemas of results: do not edit."""
+ANSWER_FIELDS_HEAD = '''"""Types of the fields of answers. Written by dev/generate_python.py from the schemas of results: do not edit."""
 
 from __future__ import annotations
+
+from typing import TypedDict
 '''
 
 HEAD = '''"""The verbs as functions. Written by dev/generate_python.py from the schemas of requests: do not edit."""

@@ -73,7 +73,12 @@ assert_type(ocs.rescale_many(pl.DataFrame({"model": ["a.osim"]})), pl.DataFrame)
 assert_type(ocs.sweep("a.osim", grid={"stiffness": ["x1", 2.0], "radius": 0.1}), ocs.Sweep)
 assert_type(ocs.sweep("a.osim", ladder=3, indentation=0.2), ocs.Sweep)
 assert_type(ocs.drop_test("a.osim").peak_force_bw, float)
+assert_type(ocs.drop_test("a.osim").series, pd.DataFrame)
 assert_type(ocs.design(mass=62, indentation=0.1).stiffness, float)
+assert_type(ocs.fit(frame, radius=0.03).stiffness["value"], float | None)
+assert_type(ocs.motion("a.osim", "a.mot").feet[0]["spheres"][0]["peak_n"], float)
+assert_type(ocs.presets()[0].dimensionless["modulus"], float)
+ocs.fit(frame, radius=0.03).stiffness["mean"]  # type: ignore[typeddict-item]
 assert_type(ocs.check(open("a.osim", "rb")), ocs.Check)
 ocs.rescale("a.osim")  # type: ignore[call-arg]
 ocs.rescale("a.osim", target_mass=None)  # type: ignore[arg-type]
