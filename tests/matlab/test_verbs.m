@@ -95,7 +95,13 @@ function names_in_messages()
         must(~isempty(strfind(message, ['''' name{1} ''''])), 'it was typed otherwise: %s', message);
         message = must_throw('osimcontact:implausible_mass', @() osimcontact.rescale('human.osim', name{1}, 62000));
         must(~isempty(strfind(message, ['''' name{1} ''', 62000'])), 'it was typed otherwise: %s', message);
-        message = must_throw('osimcontact:usage', @() osimcontact.rescale('human.osim', name{1}, [50 60]));
+        for masses = {[50 60], {50 60}, {50; 60}, {'50', '60'}}
+            message = must_throw('osimcontact:usage', @() osimcontact.rescale('human.osim', name{1}, masses{1}));
+            must(~isempty(strfind(message, ['''' name{1} ''' is one mass, not 2: osimcontact.batch'])), 'it does not name batch: %s', message);
+        end
+    end
+    if ~exist('OCTAVE_VERSION', 'builtin')
+        message = must_throw('osimcontact:usage', @() osimcontact.rescale('human.osim', 'TargetMass', string({'50', '60'})));
         must(~isempty(strfind(message, 'osimcontact.batch')), 'it does not name batch: %s', message);
     end
     message = must_throw('osimcontact:usage', @() osimcontact.rescale('human.osim', 'TargetMas', 70));

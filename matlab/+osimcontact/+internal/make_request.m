@@ -39,7 +39,7 @@ function [request, as_table] = make_request(declaration, arguments)
             value = arguments{i + 1};
             if any(strcmp(name, declaration.flags))
                 value = flag(value, char(arguments{i}));
-            elseif strcmp(name, 'target_mass') && isnumeric(value) && isvector(value) && numel(value) > 1 && all(isfinite(value))
+            elseif strcmp(name, 'target_mass') && is_many(value)
                 error('osimcontact:usage', ['''%s'' is one mass, not %d: osimcontact.batch takes a table with a model and a mass ' ...
                     'in each row'], char(arguments{i}), numel(value));
             end
@@ -110,6 +110,11 @@ function is = is_not_given(value)
     % NaN a calculation that failed: to pass over these would be to take another value.
     is = (isa(value, 'double') && isequal(size(value), [0 0])) ...
         || ((isa(value, 'missing') || isa(value, 'string')) && osimcontact.internal.is_missing(value));
+end
+
+function is = is_many(value)
+    % A vector with NaN is refused for that.
+    is = numel(value) > 1 && (iscell(value) || isa(value, 'string') || (isnumeric(value) && isvector(value) && all(isfinite(value))));
 end
 
 function is = is_table(value)
