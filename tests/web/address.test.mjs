@@ -7,6 +7,7 @@ import { given } from "./support/places.mjs";
 import { serve } from "./support/server.mjs";
 
 const HUMAN = given("table1/human_62kg_smooth_sphere.osim", "a_patients_name.osim");
+const EXAMPLE = "human_62kg_smooth_sphere.osim";
 const MOUSE = given("table1/mouse_smooth_sphere.osim", "another_name.osim");
 
 inChromium("what the form says is in the address", async (user) => {
@@ -46,6 +47,23 @@ inChromium("a calculation has an address, too", { hash: "#design?radius=0.03&mas
   const calculator = user.region("Calculate without a model");
   await calculator.waitFor();
   assert.equal(await calculator.getByLabel("Relative indentation").inputValue(), "0.16");
+});
+
+inChromium("an address opens the example", { hash: "#example" }, async (user) => {
+  await user.opened(EXAMPLE);
+  await user.field("Target mass (kg)").fill("500");
+  await user.done("human_62kg_smooth_sphere.scaled.osim");
+  await user.settled();
+  assert.equal(fragmentOfAddress(user), "#rescale?target_mass=500");
+});
+
+inChromium("the address of the example works in a page that is open, too", async (user) => {
+  const go = (address) => user.page.evaluate((hash) => (location.hash = hash), address);
+  await go("#example");
+  await user.opened(EXAMPLE);
+  await go("#");
+  await go("#example");
+  await user.announced(`Open already: ${EXAMPLE}.`);
 });
 
 inChromium("no file's name is ever in the address", async (user) => {

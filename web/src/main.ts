@@ -95,7 +95,7 @@ function buildPage(session: Session): StageView {
 /** Keeps the preview and the address up to date with the form. */
 function wireLivePreview(session: Session): void {
   const live = new LivePreview(session);
-  live.onRest(wireAddress(session));
+  live.onRest(wireAddress(session, () => void openExample(session)));
   session.values.watch(live.typed);
   session.calculation.watch(live.changed);
   session.verb.watch(live.changed);

@@ -1,12 +1,16 @@
-// Keeps the address and the form equal.
+// Keeps the address and the form equal; opens the example for an address that asks for it.
 
 import { toAddress, readAddress } from "../address/address";
 import { CALCULATOR, CHANGES, findForm } from "../forms/all";
 import type { Session } from "../state/session";
 
+/** The address of the page with its example open. */
+const EXAMPLE = "#example";
+
 /** Reads the address now and whenever it changes; returns a function that writes it. */
-export function wireAddress(session: Session): () => void {
+export function wireAddress(session: Session, openExample: () => void): () => void {
   const applyAddress = () => {
+    if (location.hash === EXAMPLE) return openExample();
     const parsed = readAddress(location.hash, CHANGES);
     if (!parsed) return;
     session.setVerb(parsed.verb, parsed.values);
