@@ -1,4 +1,5 @@
-//! The text form of a note: printable ASCII with single blanks, because OpenSim changes white space and other letters.
+//! The text form of a note: printable ASCII with single blanks, because OpenSim changes white space and other letters. The grammar is frozen
+//! as format 1 for version 0.1.0: all later versions read it.
 //!
 //! `[contacts made for 62 kg at 9.81 m/s2 (osim-contact-scale 0.1.0; all; by rescale from 70 kg on 2026-11-25; stance limbs 2;
 //! weighed 62 kg; sizes calcn_r=1 calcn_l=0.9,1,1; record 0123456789abcdef 01234567 01234567 6:01234567 6:01234567
