@@ -10,7 +10,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use contact_scaling::equations;
 use contact_scaling::modulus::MixingRule;
 
-#[path = "../src/scaling/mod.rs"]
+#[path = "../crates/osim-python/src/scaling/mod.rs"]
 mod scaling;
 
 use scaling::{
@@ -18,10 +18,10 @@ use scaling::{
 };
 
 /// Inputs of each function of `contact-scaling`, and its values in 50-digit arithmetic.
-const REFERENCE_VALUES: &str = include_str!("../../contact-scaling/tests/data/reference.csv");
+const REFERENCE_VALUES: &str = include_str!("../crates/contact-scaling/tests/data/reference.csv");
 /// Largest relative difference from the reference. It is the largest tolerance in the tests of `contact-scaling`.
 const RELATIVE_ROUNDING_ERROR: f64 = 2e-14;
-const PAGE_OF_EQUATIONS: &str = include_str!("../../../docs/reference/equations.md");
+const PAGE_OF_EQUATIONS: &str = include_str!("../docs/reference/equations.md");
 
 /// Functions on the page of equations that Python does not have, each with the reason.
 const FUNCTIONS_NOT_IN_PYTHON: [(&str, &str); 0] = [];
