@@ -71,32 +71,66 @@ impl<'m> JointPaths<'m> {
 
     /// The joints on the paths; each with the range of its coordinates among all coordinates of the model.
     pub(crate) fn coordinates(&self) -> impl Iterator<Item = (&'m ModelJoint, std::ops::Range<usize>)> + '_ {
-        self.steps.iter().map(|step| (step.joint, step.first..step.first + step.joint.coordinates.len()))
+        self.steps.iter().map(|step| (step.joint, step.range()))
     }
 
-    /// Writes the places and velocities of all bodies in ground into `places`, for a frame of a recording.
+    /// Writes the places and velocities of all bodies in ground into `places`, for a frame of a recording. Joints whose coordinates are
+    /// as in `known` are not computed again.
     pub(crate) fn place_bodies(
         &self,
         recording: &Recording,
+        known: Option<&JointMotions<'_>>,
         frame: usize,
         places: &mut Vec<MovingPlacement>,
     ) {
-        let (values, speeds) = (recording.values(frame), recording.speeds(frame));
         places.clear();
-        for step in &self.steps {
-            let range = step.first..step.first + step.joint.coordinates.len();
-            let speeds = speeds.get(range.clone()).unwrap_or_default();
-            let speeds = match recording.has_opensim_speeds.get(step.number) {
-                Some(true) => Speeds::Generalized(speeds),
-                _ => Speeds::Rates(speeds),
+        for (number, step) in self.steps.iter().enumerate() {
+            let is_same = |known: &&JointMotions<'_>| {
+                let (other, range) = (known.recording, step.range());
+                recording.values(frame).get(range.clone()) == other.values(frame).get(range.clone())
+                    && recording.speeds(frame).get(range.clone()) == other.speeds(frame).get(range)
             };
-            let moving =
-                step.joint.placement_and_velocity(self.model, values.get(range).unwrap_or_default(), speeds);
-            let moving = moving.unwrap_or(MovingPlacement::at_rest(Placement::IDENTITY));
-            let moving = if step.forward { moving } else { moving.inverse() };
-            let there = step.from.and_then(|body| places.get(body)).map(|above| above.then(&moving));
-            places.push(there.unwrap_or(moving));
+            let motion = known
+                .filter(is_same)
+                .and_then(|known| known.motions.get(frame * self.steps.len() + number).copied())
+                .unwrap_or_else(|| self.motion_of_joint(step, recording, frame));
+            let there = step.from.and_then(|body| places.get(body)).map(|above| above.then(&motion));
+            places.push(there.unwrap_or(motion));
         }
+    }
+
+    /// The motions of all joints on the paths.
+    pub(crate) fn motions_of_joints<'r>(&self, recording: &'r Recording) -> JointMotions<'r> {
+        let in_frame =
+            |frame| self.steps.iter().map(move |step| self.motion_of_joint(step, recording, frame));
+        JointMotions { recording, motions: (0..recording.frames()).flat_map(in_frame).collect() }
+    }
+
+    /// The placement and velocity of the body after a joint in the body before it, in a frame of a recording.
+    fn motion_of_joint(&self, step: &PathStep<'_>, recording: &Recording, frame: usize) -> MovingPlacement {
+        let values = recording.values(frame).get(step.range()).unwrap_or_default();
+        let speeds = recording.speeds(frame).get(step.range()).unwrap_or_default();
+        let speeds = match recording.has_opensim_speeds.get(step.number) {
+            Some(true) => Speeds::Generalized(speeds),
+            _ => Speeds::Rates(speeds),
+        };
+        let moving = step.joint.placement_and_velocity(self.model, values, speeds);
+        let moving = moving.unwrap_or(MovingPlacement::at_rest(Placement::IDENTITY));
+        if step.forward { moving } else { moving.inverse() }
+    }
+}
+
+/// The placements and velocities of the bodies after all joints in the bodies before them, in all frames of a recording.
+pub(crate) struct JointMotions<'r> {
+    recording: &'r Recording,
+    /// All joints in the first frame, then in the next.
+    motions: Vec<MovingPlacement>,
+}
+
+impl PathStep<'_> {
+    /// The joint's coordinates among all coordinates of the model.
+    fn range(&self) -> std::ops::Range<usize> {
+        self.first..self.first + self.joint.coordinates.len()
     }
 }
 
@@ -135,7 +169,7 @@ impl Poses {
         let numbers: Vec<usize> = known.iter().filter_map(|name| paths.body(name)).collect();
         let mut places = Vec::new();
         for &frame in frames {
-            paths.place_bodies(recording, frame, &mut places);
+            paths.place_bodies(recording, None, frame, &mut places);
             let placed = |&number| {
                 places.get(number).map_or(Placement::IDENTITY, |moving: &MovingPlacement| moving.at)
             };

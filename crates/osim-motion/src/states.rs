@@ -1,11 +1,9 @@
 //! Computes the states of all contacts along a recording: places, velocities and forces of spheres.
 
-use std::collections::HashSet;
-
 use osim_model::feet::PoseFault;
 use osim_model::{DVec3, Fault, ForceId, HalfSpace, Model, MovingPlacement, Placement, SphereId};
 
-use crate::joint_paths::JointPaths;
+use crate::joint_paths::{JointMotions, JointPaths};
 use crate::pair::{ContactPair, TouchedSurface, contact_pairs};
 use crate::{MotionFault, Recording, Table};
 
@@ -141,7 +139,7 @@ impl ContactStates {
         forces: &[ForceId],
         belt: impl Into<Belt>,
     ) -> Result<Self, StatesError> {
-        Self::from_pairs(model, recording, contact_pairs(model, forces)?, &belt.into())
+        Self::from_pairs(model, recording, contact_pairs(model, forces)?, &belt.into(), None)
     }
 
     /// The states of the same pairs along another motion.
@@ -151,24 +149,38 @@ impl ContactStates {
         recording: &Recording,
         belt: &Belt,
     ) -> Result<Self, StatesError> {
-        Self::from_pairs(model, recording, (self.pairs.clone(), self.planes.clone()), belt)
+        Self::from_pairs(model, recording, (self.pairs.clone(), self.planes.clone()), belt, None)
     }
 
-    /// Computes the states of given contact pairs along a recording.
+    /// What [`along`](Self::along) computes, for a motion in which most coordinates are those of `known`.
+    pub(crate) fn along_after(
+        &self,
+        model: &Model,
+        known: &JointMotions<'_>,
+        recording: &Recording,
+        belt: &Belt,
+    ) -> Result<Self, StatesError> {
+        Self::from_pairs(model, recording, (self.pairs.clone(), self.planes.clone()), belt, Some(known))
+    }
+
+    /// The motions of the joints that move these pairs.
+    pub(crate) fn motions_of_joints<'r>(
+        &self,
+        model: &Model,
+        recording: &'r Recording,
+    ) -> Result<JointMotions<'r>, StatesError> {
+        Ok(paths_to(model, &self.pairs, &self.planes)?.motions_of_joints(recording))
+    }
+
+    /// Computes the states of given contact pairs along a recording, with the motions of joints in another one if these are `known`.
     fn from_pairs(
         model: &Model,
         recording: &Recording,
         (pairs, planes): (Vec<ContactPair>, Vec<HalfSpace>),
         belt: &Belt,
+        known: Option<&JointMotions<'_>>,
     ) -> Result<Self, StatesError> {
-        let bodies: HashSet<&str> = pairs.iter().map(|pair| pair.body.as_str()).collect();
-        let carriers = planes.iter().filter_map(|plane| plane.body.as_deref());
-        let touched = pairs.iter().filter_map(|pair| match pair.touched {
-            TouchedSurface::Sphere(id) => model.sphere(id)?.body.as_deref(),
-            TouchedSurface::Plane(_) => None,
-        });
-        let bodies: HashSet<&str> = bodies.into_iter().chain(carriers).chain(touched).collect();
-        let paths = JointPaths::of(model, &bodies)?;
+        let paths = paths_to(model, &pairs, &planes)?;
         check_values(&paths, recording)?;
         let planar: Vec<Surface> =
             planes.iter().map(|plane| Surface::from_plane(plane, &paths)).collect::<Result<_, _>>()?;
@@ -185,7 +197,7 @@ impl ContactStates {
         let mut states = Vec::with_capacity(recording.frames() * pairs.len());
         let mut places = Vec::new();
         for frame in 0..recording.frames() {
-            paths.place_bodies(recording, frame, &mut places);
+            paths.place_bodies(recording, known, frame, &mut places);
             for ((pair, body), surface) in pairs.iter().zip(&sphere_bodies).zip(&surfaces) {
                 let Some(moving) = body.and_then(|body| places.get(body)) else { continue };
                 let belt_m_s = if pair.is_ground { belt.at(frame) } else { DVec3::ZERO };
@@ -212,6 +224,21 @@ impl ContactStates {
     pub fn pair(&self, pair: usize) -> impl Iterator<Item = &ContactState> {
         self.states.iter().skip(pair).step_by(self.pairs.len().max(1))
     }
+}
+
+/// The paths to the bodies of all spheres and surfaces.
+fn paths_to<'m>(
+    model: &'m Model,
+    pairs: &[ContactPair],
+    planes: &[HalfSpace],
+) -> Result<JointPaths<'m>, PoseFault> {
+    let carriers = planes.iter().filter_map(|plane| plane.body.as_deref());
+    let touched = pairs.iter().filter_map(|pair| match pair.touched {
+        TouchedSurface::Sphere(id) => model.sphere(id)?.body.as_deref(),
+        TouchedSurface::Plane(_) => None,
+    });
+    let bodies = pairs.iter().map(|pair| pair.body.as_str()).chain(carriers).chain(touched);
+    JointPaths::of(model, &bodies.collect())
 }
 
 /// Checks that every coordinate on the paths has a value.

@@ -82,7 +82,7 @@ impl<'m> Masses<'m> {
     ) -> Vec<T> {
         let mut places = Vec::new();
         let in_frame = |frame| {
-            self.paths.place_bodies(recording, frame, &mut places);
+            self.paths.place_bodies(recording, None, frame, &mut places);
             take(frame, &places)
         };
         (0..recording.frames()).map(in_frame).collect()

@@ -62,6 +62,9 @@ const TRANSITION_FACTORS_OF_STAGES: [f64; 8] = [0.0, 0.0, 0.0, 0.0, 10.0, 10.0, 
 /// The index of the last stage of the search for a correction. Later passes have only this stage.
 const LAST_STAGE: usize = 7;
 
+/// The relative decrease of the cost at which a stage ends: one that leads to the next, and the last.
+const SMALLEST_DECREASES: [f64; 2] = [1e-3, 1e-4];
+
 /// The contacts are read along the corrected motion at least this many times.
 const LEAST_PASSES: usize = 2;
 /// The contacts are read along the corrected motion at most this many times.
@@ -207,7 +210,7 @@ impl Search<'_> {
                 let (soft_m, transition) =
                     (SOFT_DEPTHS_OF_STAGES_M[stage], TRANSITION_FACTORS_OF_STAGES[stage]);
                 problem.stage = Stage { soft_m, transition };
-                cost = minimise(&problem, unknowns);
+                cost = minimise(&problem, unknowns, SMALLEST_DECREASES[usize::from(stage == LAST_STAGE)]);
             }
         }
         Ok(())

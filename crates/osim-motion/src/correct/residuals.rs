@@ -108,12 +108,14 @@ impl<'s> StageProblem<'s> {
             for (foot, along) in self.setting.feet.iter().zip(&self.slopes) {
                 let Some(goal) = foot.goals[frame] else { continue };
                 let first = frame * foot.pairs.len();
-                let state = |(number, pair): (usize, &&ContactPair)| {
+                let force = |(number, pair): (usize, &&ContactPair)| {
                     let state = along.state(first + number, [&values, &rates], constants);
-                    let slopes = if slopes { force_slopes(pair, state, self.stage) } else { [[0.0; 3]; 4] };
-                    (first + number, force_n(pair, state, self.stage), slopes)
+                    let force = force_n(pair, state, self.stage);
+                    let touches = force != [0.0; 3];
+                    let by_state = || force_slopes(pair, state, self.stage, force);
+                    touches.then(|| (first + number, force, if slopes { by_state() } else { [[0.0; 3]; 4] }))
                 };
-                let forces: Vec<_> = foot.pairs.iter().enumerate().map(state).collect();
+                let forces: Vec<_> = foot.pairs.iter().enumerate().filter_map(force).collect();
                 // The sum of the forces of all spheres, each component times its factor.
                 let mut row = |goal: f64, factors: &dyn Fn(usize) -> [f64; 3]| {
                     let count = if slopes { along.coordinates.len() } else { 0 };
@@ -180,13 +182,11 @@ impl<'s> StageProblem<'s> {
     }
 }
 
-/// The relative decrease of the cost at which the search ends.
-const SMALLEST_DECREASE: f64 = 1e-5;
 /// The largest number of Gauss-Newton steps in one search.
 const MOST_STEPS: usize = 40;
 
-/// Makes the cost small by damped Gauss-Newton steps, and returns it.
-pub(super) fn minimise(problem: &StageProblem<'_>, unknowns: &mut Vec<f64>) -> f64 {
+/// Makes the cost small by damped Gauss-Newton steps, until it decreases by less than a part of itself, and returns it.
+pub(super) fn minimise(problem: &StageProblem<'_>, unknowns: &mut Vec<f64>, smallest_decrease: f64) -> f64 {
     let (mut cost, mut damping) = (problem.cost(unknowns), 1e-4);
     for _ in 0..MOST_STEPS {
         let equations = problem.normal_equations(unknowns);
@@ -202,7 +202,7 @@ pub(super) fn minimise(problem: &StageProblem<'_>, unknowns: &mut Vec<f64>) -> f
             }
             damping *= 8.0;
         }
-        if decrease <= SMALLEST_DECREASE * cost {
+        if decrease <= smallest_decrease * cost {
             break;
         }
     }
@@ -216,7 +216,7 @@ fn correction_sizes(setting: &CorrectionInputs<'_>, slopes: &[FootSlopes]) -> No
     let mut sizes = NormalEquations::new(setting.coefficients(), 4 * count);
     let mut entries = Vec::new();
     // Adds the square of a sum over coordinates of a frame; `order` 2 takes the accelerations.
-    let mut add = |frame: usize, order: usize, by: &[(usize, f64)]| {
+    let mut add = |sizes: &mut NormalEquations, frame: usize, order: usize, by: &[(usize, f64)]| {
         entries.clear();
         for (spline, weight) in basis.weights[frame][order].iter().enumerate() {
             let start = (basis.first[frame] + spline) * count;
@@ -226,24 +226,28 @@ fn correction_sizes(setting: &CorrectionInputs<'_>, slopes: &[FootSlopes]) -> No
     };
     for frame in 0..basis.first.len() {
         for (number, coordinate) in coordinates.iter().enumerate() {
-            add(frame, 0, &[(number, 1.0 / coordinate.usual_correction(&setting.options))]);
+            add(&mut sizes, frame, 0, &[(number, 1.0 / coordinate.usual_correction(&setting.options))]);
         }
         for (foot, along) in setting.feet.iter().zip(slopes) {
             let spheres = foot.pairs.len();
             let unit = (COUNTED_SPHERES / spheres as f64).sqrt() / setting.options.length_m;
+            let of_foot = along.coordinates.len();
+            let mut products = vec![0.0; of_foot * of_foot];
             for sphere in frame * spheres..(frame + 1) * spheres {
-                for axis in 0..3 {
-                    let moves = along.slopes_of(sphere).iter().map(|by| by[0][4 + axis] * unit);
-                    let by: Vec<(usize, f64)> = along.coordinates.iter().copied().zip(moves).collect();
-                    add(frame, 0, &by);
+                let slopes = along.centre_slopes_of(sphere);
+                for (row, by) in products.chunks_exact_mut(of_foot).zip(slopes) {
+                    row.iter_mut().zip(slopes).for_each(|(sum, other)| *sum += unit * unit * by.dot(*other));
                 }
             }
+            let blocks = basis.weights[frame][0].iter().enumerate();
+            let blocks = blocks.map(|(spline, weight)| ((basis.first[frame] + spline) * count, *weight));
+            sizes.add_products(&blocks.collect::<Vec<_>>(), &along.coordinates, &products);
         }
         let moves = &setting.centre_of_mass[frame * count..(frame + 1) * count];
         for axis in 0..3 {
             let by: Vec<(usize, f64)> =
                 moves.iter().map(|by| by[axis] / USUAL_ADDED_ACCELERATION_M_S2).enumerate().collect();
-            add(frame, 2, &by);
+            add(&mut sizes, frame, 2, &by);
         }
     }
     let counted = (SHARE_OF_FRAMES_PER_CONSTANT * basis.first.len() as f64).sqrt();
@@ -291,16 +295,13 @@ fn force_n(pair: &ContactPair, state: SphereState, stage: Stage) -> [f64; 3] {
     [normal_n, -normal_n * share * slip[0], -normal_n * share * slip[1]]
 }
 
-/// The slopes of the force by each number of the state.
-fn force_slopes(pair: &ContactPair, state: SphereState, stage: Stage) -> [[f64; 3]; 4] {
+/// The slopes of the `force` in a state by each number of this state.
+fn force_slopes(pair: &ContactPair, state: SphereState, stage: Stage, force: [f64; 3]) -> [[f64; 3]; 4] {
     std::array::from_fn(|place| {
-        let at = |by: f64| {
-            let mut state = state;
-            state[place] += by;
-            force_n(pair, state, stage)
-        };
-        let (above, below) = (at(SLOPE_STEPS[place]), at(-SLOPE_STEPS[place]));
-        std::array::from_fn(|axis| (above[axis] - below[axis]) / (2.0 * SLOPE_STEPS[place]))
+        let mut above = state;
+        above[place] += SLOPE_STEPS[place];
+        let above = force_n(pair, above, stage);
+        std::array::from_fn(|axis| (above[axis] - force[axis]) / SLOPE_STEPS[place])
     })
 }
 

@@ -9,14 +9,10 @@ use crate::{Belt, ContactState, ContactStates, Foot, Recording, StatesError};
 /// Indentation (m), its rate (m/s), and the slip velocity along the two level directions (m/s) of a sphere.
 pub(super) type SphereState = [f64; 4];
 
-/// Numbers of a sphere: its [`SphereState`], and its centre, m.
-type SphereNumbers = [f64; 7];
-
-/// The numbers of a sphere's state: depth, its rate, the slip along both level directions, and the centre.
-fn sphere_numbers(state: &ContactState, level: [DVec3; 2]) -> SphereNumbers {
+/// The numbers of a sphere in a frame, and its centre, m.
+fn sphere_numbers(state: &ContactState, level: [DVec3; 2]) -> (SphereState, DVec3) {
     let [slip, across] = level.map(|direction| state.slip_m_s.dot(direction));
-    let [x, y, z] = state.centre_m.to_array();
-    [state.indentation_m, state.rate_m_s, slip, across, x, y, z]
+    ([state.indentation_m, state.rate_m_s, slip, across], state.centre_m)
 }
 
 /// The spheres of one foot along a motion, and how corrections of coordinates change their depth and their speed.
@@ -25,9 +21,11 @@ pub(super) struct FootSlopes {
     /// The numbers of the coordinates that move the foot, among the corrected ones.
     pub(super) coordinates: Vec<usize>,
     /// All spheres in the first frame, then in the next.
-    spheres: Vec<SphereNumbers>,
+    spheres: Vec<(SphereState, DVec3)>,
     /// For each element of `spheres`, the slopes by value and by speed of all `coordinates`.
-    slopes: Vec<[SphereNumbers; 2]>,
+    slopes: Vec<[SphereState; 2]>,
+    /// For each element of `spheres`, the slopes of its centre by value of all `coordinates`.
+    centre_slopes: Vec<DVec3>,
 }
 
 /// The change of a coordinate by which the slopes of spheres are computed, rad or m.
@@ -43,7 +41,8 @@ impl FootSlopes {
         (feet, coordinates): (&[Foot], &[CorrectedCoordinate]),
         level: [DVec3; 2],
     ) -> Result<Vec<Self>, StatesError> {
-        let along = |recording: &Recording| contacts.along(model, recording, belt);
+        let known = contacts.motions_of_joints(model, recording)?;
+        let along = |recording: &Recording| contacts.along_after(model, &known, recording, belt);
         let states = along(recording)?;
         let state_of = |states: &ContactStates, frame: usize, pair: usize| {
             let state = states.frame(frame).get(pair);
@@ -55,8 +54,9 @@ impl FootSlopes {
             let numbers: Vec<usize> = (0..coordinates.len()).filter(moves).collect();
             let each = (0..recording.frames()).flat_map(|frame| pairs.iter().map(move |&pair| (frame, pair)));
             let spheres: Vec<_> = each.map(|(frame, pair)| state_of(&states, frame, pair)).collect();
-            let slopes = vec![[[0.0; 7]; 2]; spheres.len() * numbers.len()];
-            all.push(Self { coordinates: numbers, spheres, slopes });
+            let count = spheres.len() * numbers.len();
+            let (slopes, centre_slopes) = (vec![[[0.0; 4]; 2]; count], vec![DVec3::ZERO; count]);
+            all.push(Self { coordinates: numbers, spheres, slopes, centre_slopes });
         }
         // No coordinate of one foot moves another: one of each foot changes at the same time.
         let most = all.iter().map(|foot| foot.coordinates.len()).max().unwrap_or(0);
@@ -73,13 +73,17 @@ impl FootSlopes {
             let (moved, faster) = (along(&changed(SLOPE_STEP, 0.0)?)?, along(&changed(0.0, 1.0)?)?);
             for (foot, slopes) in feet.iter().zip(&mut all) {
                 let count = slopes.coordinates.len();
-                for (sphere, before) in slopes.spheres.iter().enumerate().filter(|_| place < count) {
+                for (sphere, (before, centre)) in slopes.spheres.iter().enumerate().filter(|_| place < count)
+                {
                     let (frame, pair) = (sphere / foot.pairs.len(), foot.pairs[sphere % foot.pairs.len()]);
-                    let slope = |states: &ContactStates, by: f64| {
-                        let after = state_of(states, frame, pair);
+                    let (by_value, moved_centre) = state_of(&moved, frame, pair);
+                    let (by_speed, _) = state_of(&faster, frame, pair);
+                    let slope = |after: SphereState, by: f64| {
                         std::array::from_fn(|place| (after[place] - before[place]) / by)
                     };
-                    slopes.slopes[sphere * count + place] = [slope(&moved, SLOPE_STEP), slope(&faster, 1.0)];
+                    let index = sphere * count + place;
+                    slopes.slopes[index] = [slope(by_value, SLOPE_STEP), slope(by_speed, 1.0)];
+                    slopes.centre_slopes[index] = (moved_centre - *centre) / SLOPE_STEP;
                 }
             }
         }
@@ -87,20 +91,26 @@ impl FootSlopes {
     }
 
     /// The slopes of a sphere by value and by speed of all `coordinates`.
-    pub(super) fn slopes_of(&self, sphere: usize) -> &[[SphereNumbers; 2]] {
+    pub(super) fn slopes_of(&self, sphere: usize) -> &[[SphereState; 2]] {
         let count = self.coordinates.len();
         &self.slopes[sphere * count..(sphere + 1) * count]
     }
 
+    /// The slopes of the centre of a sphere by value of all `coordinates`.
+    pub(super) fn centre_slopes_of(&self, sphere: usize) -> &[DVec3] {
+        let count = self.coordinates.len();
+        &self.centre_slopes[sphere * count..(sphere + 1) * count]
+    }
+
     /// The centre of a sphere in ground, m.
     pub(super) fn centre_m(&self, sphere: usize) -> DVec3 {
-        DVec3::from_slice(&self.spheres[sphere][4..])
+        self.spheres[sphere].1
     }
 
     /// The state of a sphere after corrections of all coordinates and their rates; `constants` as unknowns have them.
     pub(super) fn state(&self, sphere: usize, moves: [&[f64]; 2], constants: [f64; 3]) -> SphereState {
         let [values, rates] = moves;
-        let mut state: SphereState = std::array::from_fn(|place| self.spheres[sphere][place]);
+        let (mut state, _) = self.spheres[sphere];
         for (number, [by_value, by_speed]) in self.coordinates.iter().zip(self.slopes_of(sphere)) {
             for (place, sum) in state.iter_mut().enumerate() {
                 *sum += by_value[place] * values[*number] + by_speed[place] * rates[*number];

@@ -32,11 +32,40 @@ impl NormalEquations {
 
     /// Adds a residual with its derivatives by some unknowns, in rising order.
     pub(super) fn add(&mut self, derivatives: &[(usize, f64)], residual: f64) {
+        let slopes: Vec<f64> = derivatives.iter().map(|(_, slope)| *slope).collect();
+        // Unknowns without a gap between them are next to each other in each row, too.
+        let runs: Vec<&[(usize, f64)]> = derivatives.chunk_by(|a, b| a.0 + 1 == b.0).collect();
         for (number, &(i, slope)) in derivatives.iter().enumerate() {
             self.gradient[i] += slope * residual;
             let (first, row) = self.row(i);
-            for &(j, other) in &derivatives[..=number] {
-                self.entries[row.start + j - first] += slope * other;
+            let mut before = 0;
+            for run in &runs {
+                let from = row.start + run[0].0 - first;
+                let others = &slopes[before..(before + run.len()).min(number + 1)];
+                let entries = &mut self.entries[from..from + others.len()];
+                entries.iter_mut().zip(others).for_each(|(entry, other)| *entry += slope * other);
+                before += run.len();
+                if before > number {
+                    break;
+                }
+            }
+        }
+    }
+
+    /// Adds sums of squares without a gradient: `products` (row by row) are those of the derivatives by the values of some curves, and
+    /// each value is a weighted sum of unknowns: `blocks` has where those of all curves begin, with their weight; `curves` are places
+    /// in a block.
+    pub(super) fn add_products(&mut self, blocks: &[(usize, f64)], curves: &[usize], products: &[f64]) {
+        for (number, (start, weight)) in blocks.iter().enumerate() {
+            for (curve, products) in curves.iter().zip(products.chunks_exact(curves.len())) {
+                let (first, row) = self.row(start + curve);
+                for (other_start, other_weight) in &blocks[..=number] {
+                    let others = curves.iter().map(|other| other_start + other);
+                    let entries = others.zip(products).filter(|(other, _)| *other <= start + curve);
+                    entries.for_each(|(other, product)| {
+                        self.entries[row.start + other - first] += weight * other_weight * product;
+                    });
+                }
             }
         }
     }
@@ -46,10 +75,10 @@ impl NormalEquations {
         let mut product = vec![0.0; vector.len()];
         for i in 0..vector.len() {
             let (first, row) = self.row(i);
-            for (j, entry) in (first..).zip(&self.entries[row]) {
-                product[i] += entry * vector[j];
-                product[j] += if j < i { entry * vector[i] } else { 0.0 };
-            }
+            let entries = &self.entries[row.start..row.end - 1];
+            product[i] += self.entries[row.end - 1] * vector[i] + dot_product(entries, &vector[first..]);
+            let value = vector[i];
+            product[first..i].iter_mut().zip(entries).for_each(|(sum, entry)| *sum += entry * value);
         }
         product
     }
@@ -65,8 +94,7 @@ impl NormalEquations {
             for j in first..i {
                 let (begin, other) = self.row(j);
                 let from = begin.max(first);
-                let products = row[from - first..j - first].iter().zip(&above[other.start + from - begin..]);
-                let sum: f64 = products.map(|(a, b)| a * b).sum();
+                let sum = dot_product(&row[from - first..j - first], &above[other.start + from - begin..]);
                 row[j - first] = (row[j - first] - sum) / above[other.end - 1];
             }
             let (diagonal, entries) = row.split_last_mut()?;
@@ -85,8 +113,13 @@ impl NormalEquations {
     }
 }
 
+/// The sum of the products of as many numbers as both lists have: four sums at a time, which a processor computes side by side.
 pub(super) fn dot_product(one: &[f64], other: &[f64]) -> f64 {
-    one.iter().zip(other).map(|(a, b)| a * b).sum()
+    let count = one.len().min(other.len());
+    let (ones, others) = (one[..count].chunks_exact(4), other[..count].chunks_exact(4));
+    let rest: f64 = ones.remainder().iter().zip(others.remainder()).map(|(a, b)| a * b).sum();
+    let add = |sums: [f64; 4], (a, b): (&[f64], &[f64])| std::array::from_fn(|i| sums[i] + a[i] * b[i]);
+    ones.zip(others).fold([0.0; 4], add).into_iter().sum::<f64>() + rest
 }
 
 #[cfg(test)]
@@ -129,6 +162,25 @@ mod tests {
         for (product, row) in equations.times_vector(&vector).iter().zip(&dense) {
             assert!((product - dot_product(row, &vector)).abs() < 1e-12);
         }
+    }
+
+    #[test]
+    fn products_of_curves_are_those_of_their_rows() {
+        // Two blocks of four unknowns; of each the curves 0, 1 and 3, with two residuals.
+        let (blocks, curves) = ([(1, 0.4), (5, 0.6)], [0, 1, 3]);
+        let rows = [[0.3, -0.8, 1.7], [2.0, 0.1, -0.4]];
+        let (mut one, mut other) = (NormalEquations::new(9, 8), NormalEquations::new(9, 8));
+        for row in rows {
+            let slopes = blocks.iter().flat_map(|(start, weight)| {
+                curves.iter().zip(row).map(move |(curve, slope)| (start + curve, weight * slope))
+            });
+            one.add(&slopes.collect::<Vec<_>>(), 0.0);
+        }
+        let product = |i: usize, j: usize| rows.iter().map(|row| row[i] * row[j]).sum::<f64>();
+        let products: Vec<f64> = (0..9).map(|place| product(place / 3, place % 3)).collect();
+        other.add_products(&blocks, &curves, &products);
+        assert!(one.entries.iter().zip(&other.entries).all(|(a, b)| (a - b).abs() < 1e-12));
+        assert!(one.entries.iter().any(|entry| *entry != 0.0));
     }
 
     #[test]

@@ -51,6 +51,8 @@ pub(super) struct CorrectedCoordinate {
 
 /// The change of a value that shows which spheres a coordinate moves, rad or m.
 const TRIAL_STEP: f64 = 1e-4;
+/// In at most this many frames it is looked at which spheres a coordinate moves.
+const MOST_TRIAL_FRAMES: usize = 50;
 /// A sphere that moves by less than this part of the change of a coordinate does not follow it.
 const LEAST_MOVE: f64 = 1e-6;
 
@@ -75,6 +77,7 @@ pub(super) fn find_coordinates(
     states: &ContactStates,
     (feet, normal): (&[Foot], DVec3),
 ) -> Result<CoordinatesOfCorrection, StatesError> {
+    let recording = &recording.some_frames(MOST_TRIAL_FRAMES);
     let before = states.along(model, recording, &Belt::default())?;
     let (mut legs, mut level) = (Vec::new(), Vec::new());
     let mut root = None;
