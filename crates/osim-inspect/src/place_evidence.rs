@@ -87,9 +87,9 @@ fn bodies_beside_feet(model: &Model, bones: &BodyBones) -> Option<Vec<String>> {
     if bodies.iter().any(is_foot) || !bones.has_feet() {
         return None;
     }
-    // The talus is above the ground, between shank and calcaneus.
-    let is_beside =
-        |body: &&str| bones.joint_above(body).is_some() && (!bones.is_foot(body) || names("talus")(body));
+    // A ball has no feet. The talus is above the ground, between shank and calcaneus.
+    let is_of_skeleton = |body: &str| bones.joint_above(body).is_some() || bones.has_foot_below(body);
+    let is_beside = |body: &&str| is_of_skeleton(body) && (!bones.is_foot(body) || names("talus")(body));
     let beside: Vec<String> = bodies.into_iter().filter(is_beside).map(str::to_owned).collect();
     (!beside.is_empty()).then_some(beside)
 }
@@ -424,6 +424,30 @@ mod tests {
         // Also on bones of another size.
         let grown = swapped.replace("0.913924 0.913924 0.913924", "0.8 0.8 0.8");
         assert_eq!(evidence(&grown), PlaceEvidence::Mirrored("Falisse et al. (2022)"));
+    }
+
+    #[test]
+    fn spheres_on_the_body_that_carries_the_feet_are_reported() {
+        let (skeleton, spheres) = FALISSE.split_once("<ContactGeometrySet").unwrap();
+        let feet = ["calcn_r", "toes_r", "calcn_l", "toes_l"];
+        let all_on = |place: &str| {
+            let moved = feet.iter().fold(spheres.to_owned(), |text, foot| {
+                text.replace(&format!("/bodyset/{foot}"), &format!("/bodyset/{place}"))
+            });
+            PlaceEvidence::of(&Model::parse(format!("{skeleton}<ContactGeometrySet{moved}")).unwrap(), None)
+        };
+        assert_eq!(all_on("pelvis"), PlaceEvidence::NotOnFeet(vec!["pelvis".to_owned()]));
+        // A ball without feet, in a scene with a skeleton, is none of its bodies.
+        let ball = r#"<Body name="ball"><mass>0.4</mass></Body><Body name="pelvis">"#;
+        let joint = r#"<FreeJoint name="free"><socket_parent_frame>/ground</socket_parent_frame><socket_child_frame>/bodyset/ball</socket_child_frame></FreeJoint><FreeJoint name="ground_pelvis">"#;
+        let with_ball = skeleton
+            .replace(r#"<Body name="pelvis">"#, ball)
+            .replace(r#"<FreeJoint name="ground_pelvis">"#, joint);
+        let on_ball = feet.iter().fold(spheres.to_owned(), |text, foot| {
+            text.replace(&format!("/bodyset/{foot}"), "/bodyset/ball")
+        });
+        let model = Model::parse(format!("{with_ball}<ContactGeometrySet{on_ball}")).unwrap();
+        assert!(!matches!(PlaceEvidence::of(&model, None), PlaceEvidence::NotOnFeet(_)));
     }
 
     #[test]

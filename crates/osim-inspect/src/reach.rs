@@ -254,6 +254,14 @@ impl BodyBones {
         Some((*squared, self.anatomy.joints.get(*at)?))
     }
 
+    /// Whether a foot hangs on `body`, directly or by other bodies.
+    pub(crate) fn has_foot_below(&self, body: &str) -> bool {
+        let parent = |body: &&str| self.joint_above(body).map(|joint| joint.parent.as_str());
+        let above = |foot| std::iter::successors(Some(foot), parent).skip(1).take(self.bodies.len());
+        let mut feet = self.bodies.keys().map(String::as_str).filter(|body| self.is_foot(body));
+        feet.any(|foot| above(foot).any(|one| one == body))
+    }
+
     /// The joint between `body` and its parent.
     pub(crate) fn joint_above(&self, body: &str) -> Option<&AnatomyJoint> {
         self.anatomy.joint_above(body)
