@@ -69,7 +69,8 @@ json_records! {
         pub height_m: f64 = over.gap_m,
         /// Radius of the sphere, m.
         pub radius_m: f64 = sphere.radius.number,
-        /// Angle between the floor's normal and the axis of the sphere's body that is nearest to it, rad: 0 if the body is upright.
+        /// Angle between the floor's normal and the axis of the sphere's body that is nearest to it, or is up with all coordinates at 0
+        /// if the model lies, rad: 0 if the body is upright.
         pub tilt_rad: f64 = over.tilt_rad,
     }
 

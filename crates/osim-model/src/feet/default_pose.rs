@@ -1,11 +1,13 @@
 //! The places of bodies in ground at the default pose, where all coordinates have their default values.
 
 use std::collections::VecDeque;
+use std::f64::consts::FRAC_PI_4;
 use std::sync::Arc;
 
 use foldhash::{HashMap, HashMapExt, HashSet};
 use glam::DVec3;
 
+use super::contact_planes::angle_between;
 use super::couplers::CoordinateValues;
 use super::fault::PoseFault;
 use crate::model::{Model, ModelJoint, Placement};
@@ -43,7 +45,32 @@ struct Placements {
 impl DefaultPose {
     /// The default pose of `model`, which is computed once for each model.
     pub fn of(model: &Model) -> Self {
-        Self(Arc::clone(model.derived_from_bodies(|model| Arc::new(Placements::of(model)))))
+        Self(Arc::clone(model.derived_from_bodies(|model| {
+            let coordinates = CoordinateValues::at_default_pose(model);
+            Arc::new(Placements::at(model, &coordinates.values, coordinates.doubt.clone()))
+        })))
+    }
+
+    /// The pose with all coordinates at 0, if the heaviest body is turned against it by more than 45 degrees under `up`: at the default
+    /// pose the model lies.
+    pub(super) fn before_lying(&self, model: &Model, up: DVec3) -> Option<Self> {
+        /// The pose at 0, as a type of its own.
+        struct AtZero(DefaultPose);
+        let AtZero(at_zero) = model.derived_from_bodies(|model| {
+            let names = model.joints().iter().flat_map(|joint| &joint.coordinates);
+            let values = names.map(|coordinate| (coordinate.name.clone(), 0.0)).collect();
+            AtZero(Self(Arc::new(Placements::at(model, &values, None))))
+        });
+        let masses = model.bodies().iter().filter_map(|body| Some((body.mass_kg().ok()?, &body.name)));
+        let (_, heaviest) = masses.max_by(|a, b| a.0.total_cmp(&b.0))?;
+        let up_in_heaviest = |pose: &Self| Some(pose.direction_in(heaviest, up).ok()?);
+        let turned_rad = angle_between(up_in_heaviest(self)?, up_in_heaviest(at_zero)?);
+        (turned_rad > FRAC_PI_4).then(|| at_zero.clone())
+    }
+
+    /// `direction`, a vector in ground, in the frame of `body`.
+    pub(super) fn direction_in(&self, body: &str, direction: DVec3) -> Result<DVec3, PoseFault> {
+        Ok(self.placement(body)?.rotation.inverse().to_body(direction))
     }
 
     /// Placement of the frame of `body` in ground. The error says why it is not known.
@@ -57,13 +84,12 @@ impl DefaultPose {
 }
 
 impl Placements {
-    /// Places all bodies, beginning at ground. It is in doubt if a joint closes a loop of joints and the two chains lead to different
-    /// places.
-    fn of(model: &Model) -> Self {
-        let coordinates = CoordinateValues::at_default_pose(model);
-        let mut pose = Self { placements: HashMap::new(), doubt: coordinates.doubt.clone() };
+    /// Places all bodies at these values of the coordinates, beginning at ground. It is in doubt if a joint closes a loop of joints and the
+    /// two chains lead to different places.
+    fn at(model: &Model, values: &HashMap<String, f64>, doubt: Option<PoseFault>) -> Self {
+        let mut pose = Self { placements: HashMap::new(), doubt };
         for JointStep { joint, from, to, forward, closes } in joints_from_ground(model.joints()) {
-            let in_parent = joint_placement(model, &coordinates.values, joint);
+            let in_parent = joint_placement(model, values, joint);
             let placement = pose.placement_beyond(in_parent, from, forward);
             let earlier = match to {
                 None => Some(Ok(Placement::IDENTITY)),

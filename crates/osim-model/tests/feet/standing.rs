@@ -207,6 +207,34 @@ fn on_a_slope_the_part_along_the_normal_counts() {
     assert!(is_close(down * 0.8, -rest.down_m));
 }
 
+fn pin_xml(parent: &str, child: &str, angle_rad: f64) -> String {
+    format!(
+        "<PinJoint name=\"{parent}_{child}\"><socket_parent_frame>{}</socket_parent_frame><socket_child_frame>{}</socket_child_frame>\
+         <coordinates><Coordinate name=\"{child}_angle\"><default_value>{angle_rad}</default_value></Coordinate></coordinates></PinJoint>",
+        frame_element(parent),
+        frame_element(child),
+    )
+}
+
+/// A trunk on a foot, with the angles of both.
+fn tilt_of_foot(trunk_rad: f64, foot_rad: f64) -> f64 {
+    let joints = pin_xml("ground", "trunk", trunk_rad) + &pin_xml("trunk", "foot", foot_rad);
+    let mut parts = foot_on_spheres(1.0, &[-0.1], joints);
+    parts.bodies.push_str(&body_xml("trunk", 50.0));
+    parts.only_standing().spheres[0].tilt_rad
+}
+
+#[test]
+fn a_foot_of_a_body_that_lies_is_tilted() {
+    for lying_rad in [1.5, -1.5] {
+        assert!((tilt_of_foot(lying_rad, 0.0) - 1.5).abs() < 1e-12);
+    }
+    // A trunk that bends forward over a flat foot.
+    assert!(tilt_of_foot(1.2, -1.2) < 1e-12);
+    // A foot that hangs down from an upright trunk with its coordinate at 0.
+    assert!((tilt_of_foot(0.0, 1.5) - (std::f64::consts::FRAC_PI_2 - 1.5)).abs() < 1e-12);
+}
+
 #[test]
 fn a_coordinate_with_a_downward_axis_grows_when_the_body_sinks() {
     let down = Slider { coordinate: "depth", axis: "0 -1 0", more: "<default_value>-0.5</default_value>" };

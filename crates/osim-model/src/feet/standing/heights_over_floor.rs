@@ -7,10 +7,10 @@ use contact_scaling::{DomainError, Law, Spheres};
 use foldhash::{HashMap, HashMapExt};
 use glam::DVec3;
 
-use crate::feet::contact_planes::{ContactPlane, PlaneSurface, STEEPEST_FLOOR_RAD};
+use crate::feet::contact_planes::{ContactPlane, PlaneSurface, STEEPEST_FLOOR_RAD, angle_between};
 use crate::feet::default_pose::DefaultPose;
 use crate::feet::fault::PoseFault;
-use crate::model::{ForceId, LoadedSphere, Model, Placement, SphereId};
+use crate::model::{ForceId, LoadedSphere, Model, SphereId};
 
 /// The height of a sphere over its floor at the default pose.
 #[derive(Debug, Clone, PartialEq)]
@@ -19,7 +19,8 @@ pub struct SphereOverFloor {
     /// Height of the sphere's bottom above the floor along the floor's normal, m; below 0 if the sphere is in the floor. With several
     /// floors, the least height.
     pub gap_m: f64,
-    /// The tilt of the sphere's body, rad: the angle between the floor's normal and the nearest axis of the body. 0 if the body is upright.
+    /// The tilt of the sphere's body, rad: the angle between the floor's normal and the nearest axis of the body, or the axis that is up
+    /// with all coordinates at 0 if the model lies. 0 if the body is upright.
     pub tilt_rad: f64,
 }
 
@@ -81,11 +82,15 @@ impl SphereFloors {
     }
 }
 
-/// The angle between `normal` and the nearest axis of `body`, rad.
-pub(super) fn tilt(body: &Placement, normal: DVec3) -> f64 {
-    let squares = body.rotation.inverse().to_body(normal).to_array().map(|part| part * part);
-    let largest = squares.iter().copied().fold(0.0, f64::max);
-    libm::atan2((squares.iter().sum::<f64>() - largest).max(0.0).sqrt(), largest.sqrt())
+/// The angle between `normal` and the axis of `body` that is up where the foot is flat, rad: the nearest axis; if the model lies, the
+/// nearest one with all coordinates at 0.
+pub(super) fn tilt(model: &Model, pose: &DefaultPose, body: &str, normal: DVec3) -> Result<f64, PoseFault> {
+    let up = pose.direction_in(body, normal)?;
+    let before_lying = pose.before_lying(model, normal);
+    let flat = before_lying.and_then(|pose| pose.direction_in(body, normal).ok()).unwrap_or(up);
+    let nearest = flat.to_array().map(f64::abs).into_iter().fold(0.0, f64::max);
+    let axis = DVec3::from(flat.to_array().map(|part| if part.abs() == nearest { part } else { 0.0 }));
+    Ok(angle_between(axis, up))
 }
 
 /// The centre of a sphere in ground, and its radius; `None` if one of these numbers cannot be read.

@@ -104,7 +104,7 @@ impl LevelledFeet<'_> {
             return Ok(None);
         };
         let Some(body) = self.body(sphere) else { return Ok(None) };
-        let tilt_rad = tilt(self.pose.placement(body)?, normal);
+        let tilt_rad = tilt(self.model, self.pose, body, normal)?;
         Ok(Some(SphereOverLowestFloor { sphere, gap_m, normal, tilt_rad }))
     }
 

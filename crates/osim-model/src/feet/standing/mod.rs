@@ -147,7 +147,7 @@ impl<'j> StandingTree<'_, 'j> {
             let least = gaps.iter().map(|(_, gap)| *gap).reduce(f64::min);
             let body = self.model.sphere(sphere).and_then(|sphere| sphere.body.as_deref());
             let tilt_rad = match (body, normal) {
-                (Some(body), Some(normal)) => heights_over_floor::tilt(pose.placement(body)?, normal),
+                (Some(body), Some(normal)) => heights_over_floor::tilt(self.model, pose, body, normal)?,
                 _ => 0.0,
             };
             over.extend(least.map(|gap_m| SphereOverFloor { sphere, gap_m, tilt_rad }));
