@@ -155,11 +155,13 @@ fn remedy_candidates(found: &CheckResult) -> Vec<RemedyCandidate> {
     let rank = |one: &RemedyCandidate| match &one.request {
         Request::Rescale(_) | Request::Transfer(_) => 0,
         Request::Convert(_) => 1,
+        // Bottoms depend on radii.
+        Request::Set(set) if set.level => 3,
         Request::Set(_) => 2,
         // The load of a sphere at rest depends on its dissipation (C.9), and the smoothing on its indentation at rest.
-        Request::Design(design) if design.wanted.restitution.is_some() => 3,
-        Request::Design(design) if design.wanted.indentation.is_some() => 4,
-        _ => 5,
+        Request::Design(design) if design.wanted.restitution.is_some() => 4,
+        Request::Design(design) if design.wanted.indentation.is_some() => 5,
+        _ => 6,
     };
     // The smallest of several constant indentations also has the effect of the others.
     let constant = |one: &RemedyCandidate| match &one.request {

@@ -86,6 +86,7 @@ fn collect_findings(
     if is_unsettled || places.are_wrong() || are_spheres_odd(model) {
         remedies = remedies.none_yet();
     }
+    remedies.may_level = ![FindingCode::LeftRightPlaces, FindingCode::SpheresMisplaced].into_iter().any(has_finding);
     let mut findings = findings_about_model(model, inspected, &floors_of_model, &remedies);
     if are_bodies_of_another_mass(model, inspected, options) {
         findings.retain(|finding| finding.code() != FindingCode::OddRadius);

@@ -7,6 +7,7 @@ use osim_model::{Example, Finding, Repair, Severity, are_equal_masses};
 use osim_requests::Request;
 
 use crate::rules::figure_check::{FigureCheck, UP_TO_CENTRE_RADII, value_beyond_limit};
+use crate::rules::standing::level_feet;
 use crate::{Figure, FindingWithRemedy, SphereFigures};
 use osim_model::rule;
 
@@ -106,7 +107,7 @@ fn sunk_in_at_own_heights(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> 
     );
     Some(FindingWithRemedy::new(
         check.finding_at_sphere(&SUNK_IN, &text, &affected),
-        check.remedies.level_feet(),
+        level_feet(check),
     ))
 }
 

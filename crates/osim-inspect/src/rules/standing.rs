@@ -4,6 +4,7 @@ use foldhash::HashMap;
 use osim_model::feet::MOST_LEAN_RAD;
 use osim_model::messages::{readable, shown, three_significant};
 use osim_model::{Example, Finding, Repair, Rule};
+use osim_requests::Request;
 
 use crate::rules::figure_check::FigureCheck;
 use crate::{Bottom, Figure, FindingWithRemedy, LimbFigures, SphereFigures, StandingBody};
@@ -49,9 +50,15 @@ rule! { pub(super) UNEVEN_BOTTOMS: UnevenBottoms, Warning, Standing;
 /// Finds the limb whose bottoms differ most in height, if the difference is a warning.
 pub(super) fn find_uneven_bottoms(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> {
     let worst = UnevenLimb::worst(check)?;
-    worst
-        .is_warning()
-        .then(|| FindingWithRemedy::new(worst.finding(&UNEVEN_BOTTOMS), check.remedies.level_feet()))
+    worst.is_warning().then(|| FindingWithRemedy::new(worst.finding(&UNEVEN_BOTTOMS), level_feet(check)))
+}
+
+/// The remedy that makes bottoms level; `None` if a limb's differ by more than a radius. Radii move bottoms by less, so that a place is
+/// wrong, and to level the foot would hide it.
+pub(super) fn level_feet(check: &FigureCheck<'_>) -> Option<Request> {
+    let UnevenLimb { lowest, highest, .. } = UnevenLimb::worst(check)?;
+    let may_be_radii = highest.height_m - lowest.height_m <= lowest.radius_m.max(highest.radius_m);
+    may_be_radii.then(|| check.remedies.level_feet()).flatten()
 }
 
 /// A limb whose lowest and highest bottoms differ.
