@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 
 use foldhash::HashMap;
 use osim_model::feet::{RestOnFloor, RestingSphere, SphereOverFloor, Standing};
+use osim_model::DVec3;
 use osim_model::messages::{four_significant, readable, shown};
 use osim_model::{Limb, Limbs, Model, Sphere, SphereId};
 use serde::Serialize;
@@ -72,6 +73,9 @@ json_records! {
         /// Angle between the floor's normal and the axis of the sphere's body that is nearest to it, or is up with all coordinates at 0
         /// if the model lies, rad: 0 if the body is upright.
         pub tilt_rad: f64 = over.tilt_rad,
+        /// The centre of the sphere in ground, m.
+        #[serde(skip)]
+        pub centre_m: DVec3 = over.centre_m,
     }
 
     /// A body at rest on spheres, by the contact laws of the file.

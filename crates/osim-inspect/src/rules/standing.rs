@@ -86,9 +86,12 @@ impl<'i> UnevenLimb<'i> {
         self.difference_radii > radii + ROUNDING_OF_HEIGHTS
     }
 
-    /// Whether the difference is a warning. It is not a warning if the foot leans, because then the difference follows from the pose.
+    /// Whether the difference is a warning. It is not a warning if the foot leans so much that the difference follows from the pose.
     fn is_warning(&self) -> bool {
-        self.differs_by_more_than(WARNING_DIFFERENCE_RADII) && self.tilt_rad <= MOST_LEAN_RAD
+        let leans = self.tilt_rad > MOST_LEAN_RAD;
+        let of_pose_m = self.lowest.centre_m.distance(self.highest.centre_m) * libm::sin(self.tilt_rad);
+        let of_pose_radii = if leans { of_pose_m / self.lowest.radius_m } else { 0.0 };
+        self.differs_by_more_than(WARNING_DIFFERENCE_RADII + of_pose_radii)
     }
 
     /// The lowest and the highest bottom of `limb`; `None` if the limb or its bottoms are not known.

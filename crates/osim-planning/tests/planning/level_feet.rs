@@ -102,6 +102,24 @@ fn bottoms_that_radii_do_not_explain_are_not_made_level() {
     }
 }
 
+/// A foot of 0.2 m that is tilted by 0.3 rad explains 60 mm, not a heel that is 300 mm higher than the others.
+#[test]
+fn a_tilt_explains_as_much_as_it_lifts() {
+    let tilted = ["r", "l"].iter().fold(UNEVEN_MODEL.to_owned(), |text, side| {
+        let joint = format!("<PinJoint name=\"leg_{side}\">");
+        let angle = format!(
+            "{joint}<coordinates><Coordinate name=\"angle_{side}\"><default_value>0.3</default_value></Coordinate></coordinates>"
+        );
+        text.replace(&joint, &angle)
+    });
+    let heels_high = tilted.replace("<location>0.00190115 -0.01 ", "<location>0.00190115 0.29 ");
+    for (text, is_accused) in [(tilted, false), (heels_high, true)] {
+        let found = check_with(MODEL_NAME, &text, &InspectOptions::default());
+        assert_eq!(has(&found, FindingCode::UnevenBottoms), is_accused, "{:?}", found.findings);
+        assert_ne!(has(&found, FindingCode::UnlevelFoot), is_accused);
+    }
+}
+
 #[test]
 fn feet_are_level_with_the_radii_that_they_get() {
     let request =

@@ -22,6 +22,8 @@ pub struct SphereOverFloor {
     /// The tilt of the sphere's body, rad: the angle between the floor's normal and the nearest axis of the body, or the axis that is up
     /// with all coordinates at 0 if the model lies. 0 if the body is upright.
     pub tilt_rad: f64,
+    /// The centre of the sphere in ground, m.
+    pub centre_m: DVec3,
 }
 
 /// A contact of one sphere with one plane: the contact law of the force, and the gap to the plane.
@@ -94,7 +96,7 @@ pub(super) fn tilt(model: &Model, pose: &DefaultPose, body: &str, normal: DVec3)
 }
 
 /// The centre of a sphere in ground, and its radius; `None` if one of these numbers cannot be read.
-fn centre_and_radius(
+pub(super) fn centre_and_radius(
     model: &Model,
     sphere: SphereId,
     pose: &DefaultPose,
