@@ -77,7 +77,7 @@ impl KnownContacts {
         let likeness = ComparedNumbers::for_finding(code)?;
         let with_severity = entries().iter().filter(|entry| entry.severity(code).is_some());
         let contacts = contacts_of_sets(model, forces)?;
-        Self::find_similar_entry(&contacts, count, mass_kg, with_severity, &likeness)?.severity(code)
+        Self::find_similar_entry(&contacts, count, mass_kg, with_severity, &likeness)?.severity(code, mass_kg)
     }
 
     /// The entry of the table whose contacts these are, compared as `likeness` says, and the mass that they are made for.
@@ -128,9 +128,13 @@ impl KnownContacts {
         entries().iter().any(|entry| entry.name == self.name && entry.made_for_kg != entry.body_kg())
     }
 
-    /// The severity that the table gives a finding about these contacts, if it gives one. A fault that was published is only a remark.
-    pub fn severity(&self, code: FindingCode) -> Option<Severity> {
-        entries().iter().find(|entry| entry.name == self.name)?.severity(code)
+    /// The severity that the table gives a finding about these contacts under a body of `mass_kg`, if it gives one. A fault that was
+    /// published is only a remark. How deep spheres sink in was published under one mass.
+    pub fn severity(&self, code: FindingCode, mass_kg: Option<f64>) -> Option<Severity> {
+        let entry = entries().iter().find(|entry| entry.name == self.name)?;
+        let body_kg = self.made_for_kg * (entry.body_kg() / entry.made_for_kg);
+        let is_of_body = || mass_kg.is_none_or(|mass_kg| are_equal_masses(mass_kg, body_kg));
+        entry.severity(code).filter(|_| code != FindingCode::SunkIn || is_of_body())
     }
 }
 
@@ -423,6 +427,20 @@ mod tests {
             let levels: Vec<&str> = Severity::ALL.iter().map(|severity| severity.as_str()).collect();
             assert!(entry.severity.values().all(|level| levels.contains(&level.as_str())), "{}", entry.name);
         }
+    }
+
+    /// Moco's front spheres are in up to their centres under 62 kg. Ten times the mass sinks in 10^(2/3) times as deep by (3).
+    #[test]
+    fn a_published_depth_is_a_remark_under_the_published_mass_alone() {
+        let entry = entries().iter().find(|entry| entry.name == "moco-2d-gait").unwrap();
+        let known = KnownContacts::new(entry, 62.0);
+        for (mass_kg, expected) in [(62.0, Some(Severity::Remark)), (62.5, Some(Severity::Remark)), (620.0, None)] {
+            assert_eq!(known.severity(FindingCode::SunkIn, Some(mass_kg)), expected, "{mass_kg} kg");
+            assert_eq!(known.severity(FindingCode::BeyondHertz, Some(mass_kg)), Some(Severity::Remark));
+        }
+        // Scaled to this mass, they sink in as deep as published.
+        let scaled = KnownContacts::new(entry, 620.0);
+        assert_eq!(scaled.severity(FindingCode::SunkIn, Some(620.0)), Some(Severity::Remark));
     }
 
     #[test]

@@ -227,7 +227,7 @@ fn with_published_severities(
 ) -> Vec<FindingWithRemedy> {
     let count = inspected.spheres_per_limb.map(|count| count as f64);
     let severity = |finding: &FindingWithRemedy| match inspected.known_contacts {
-        Some(known) => known.severity(finding.code()),
+        Some(known) => known.severity(finding.code(), inspected.mass_kg),
         None if finding.severity == Severity::Remark => None,
         None => KnownContacts::severity_of_similar(model, chosen, count, inspected.mass_kg, finding.code()),
     };
