@@ -83,6 +83,12 @@ impl SpherePlacements {
                 why
             };
             let scaled = Anatomy::of(model).map_err(in_words)?;
+            // Without a common sphere nothing is compared, whatever the bones are.
+            let mut loaded = model.loaded_spheres(&model.force_ids()).into_iter();
+            let is_common = |id| original.sphere(&model.sphere(id)?.name);
+            if !loaded.any(|id| is_common(id).is_some()) {
+                return Ok((Vec::new(), Vec::new(), false));
+            }
             let factors = Factors::find(&scaled, original, file, &BTreeMap::new()).map_err(in_words)?;
             if let Some(difference) = &factors.difference {
                 let mut why = difference.phrase();

@@ -201,6 +201,16 @@ fn a_model_that_cannot_be_compared_says_why() {
     let found = check_text(SCALED_MODEL, Some(RIGHT_PLACES));
     let why = found.findings.iter().find(|one| one.code() == FindingCode::SpheresNotCompared).unwrap();
     assert!(why.message.to_string().contains("no sphere of the same name"), "{}", why.message);
+    // Also if the bones are others, and if the other model has no spheres.
+    let other_legs = RIGHT_PLACES.replace("0 -0.9 0.1<", "0.3 -0.9 0.1<").replace("\"mtp_l\"", "\"ball_l\"");
+    let (bones, _) = other_legs.split_once("<ForceSet").unwrap();
+    let bare = format!("{bones}</Model></OpenSimDocument>");
+    for other in [other_legs, bare] {
+        let found = check_text(SCALED_MODEL, Some(&other));
+        let why = found.findings.iter().find(|one| one.code() == FindingCode::SpheresNotCompared).unwrap();
+        assert_eq!(why.severity, Severity::Error);
+        assert!(why.message.to_string().contains("no sphere of the same name"), "{}", why.message);
+    }
 }
 
 /// The model `text` with a note that its contacts were made for 62 kg, by the operation `operation`.
