@@ -1,8 +1,8 @@
 //! Rules about which contacts a model has, for which mass they were made, and who published them.
 
-use osim_model::messages::{Input, Phrase, four_significant, phrase, readable};
+use osim_model::messages::{Input, Phrase, counted, four_significant, phrase, readable};
 use osim_model::{
-    Example, Fault, FaultKind, Finding, MassRequest, MassSource, Model, Pattern, Repair, Selection,
+    Example, Fault, FaultKind, Finding, MassRequest, MassSource, Model, Pattern, Repair, Selection, Severity,
     are_equal_masses,
 };
 use osim_requests::options::MassOptions;
@@ -25,7 +25,16 @@ pub(crate) fn find_bare_model(options: &InspectOptions, model: &Model) -> Option
     let fault = options.selection.apply(model).err()?;
     // Contacts of another class have a finding of their own.
     let is_bare = matches!(fault.kind, FaultKind::NoContacts { replaces: false, .. });
-    is_bare.then(|| Finding::new(&BARE_MODEL, fault.phrase()))
+    let finding = is_bare.then(|| Finding::new(&BARE_MODEL, fault.phrase()))?;
+    let moving = model.spheres().iter().filter(|sphere| sphere.body.is_some());
+    let moving: Vec<String> = moving.map(|sphere| sphere.name.clone()).collect();
+    if moving.is_empty() {
+        return Some(finding);
+    }
+    // Whoever left spheres did not mean a model without contacts.
+    let text = format!("no force presses with {}; ", counted(moving.len(), "sphere"));
+    let message = phrase![text, &finding.message];
+    Some(finding.with_message(message).with_spheres(moving).with_severity(Severity::Warning))
 }
 
 rule! { pub(crate) UNMATCHED_PATTERN: UnmatchedPattern, Remark;

@@ -310,6 +310,20 @@ fn the_worst_comes_first_and_each_severity_is_counted() {
 }
 
 #[test]
+fn spheres_that_no_force_presses_with_are_a_warning() {
+    let without = |text: &str, set: &str| {
+        let (before, rest) = text.split_once(&format!("<{set}")).unwrap();
+        format!("{before}{}", rest.split_once(&format!("</{set}>")).unwrap().1)
+    };
+    let no_force = without(HUMAN, "ForceSet");
+    let found = check_text(&no_force);
+    let bare = find(&found, FindingCode::BareModel);
+    assert_eq!((bare.severity, bare.spheres.is_empty()), (Severity::Warning, false));
+    let found = check_text(&without(&no_force, "ContactGeometrySet"));
+    assert_eq!(find(&found, FindingCode::BareModel).severity, Severity::Remark);
+}
+
+#[test]
 fn findings_of_one_kind_are_in_the_order_of_their_lines() {
     let model = Model::parse(foot(&[SOLE])).unwrap();
     let inspected = InspectOptions::default().inspect("model.osim", &model, None);
