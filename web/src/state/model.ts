@@ -72,11 +72,11 @@ export function atStep(model: OpenModel, stepCount: number): OpenModel {
   return { ...model, stepCount: Math.max(0, Math.min(model.steps.length, stepCount)), outcome: null };
 }
 
-/** Relative difference of masses that count as one body. */
+/** Masses that differ by at most this part of the smaller one count as one body. */
 const SAME_MASS = 0.02;
 
 export function isSameMass(one: number, other: number): boolean {
-  return Math.abs(one / other - 1) <= SAME_MASS;
+  return Math.abs(one - other) <= SAME_MASS * Math.min(one, other);
 }
 
 const MISPLACED = new Set(["spheres-left-behind", "spheres-misplaced"]);

@@ -12,7 +12,7 @@ use crate::model::{Body, Finding, Model};
 
 /// Two masses count as one body if they differ by less than this (relative): a sensor, a belt or a prosthetic foot does not make another
 /// body.
-pub(crate) const EQUAL_MASSES_TOLERANCE: f64 = 0.02;
+const EQUAL_MASSES_TOLERANCE: f64 = 0.02;
 
 /// Contacts need no scaling if their mass is nearer to the target mass than this (relative): no scale is read more exactly than 0.1 %.
 const AT_TARGET_TOLERANCE: f64 = 1e-3;
@@ -234,9 +234,9 @@ pub fn is_at_target(contacts_kg: f64, target_kg: f64) -> bool {
     (target_kg - contacts_kg).abs() <= AT_TARGET_TOLERANCE * contacts_kg.abs()
 }
 
-/// Whether two masses count as equal: `a` is within `EQUAL_MASSES_TOLERANCE` of `b` (relative to `b`).
+/// Whether two masses count as equal: they differ by at most `EQUAL_MASSES_TOLERANCE` of the smaller one, whichever comes first.
 pub fn are_equal_masses(a: f64, b: f64) -> bool {
-    (a - b).abs() <= EQUAL_MASSES_TOLERANCE * b.abs()
+    (a - b).abs() <= EQUAL_MASSES_TOLERANCE * a.abs().min(b.abs())
 }
 
 /// Whether two gravities count as equal: `noted` is within a thousandth of `own`.

@@ -5,7 +5,9 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 
-use osim_model::{Companion, Document, Irregularity, Limbs, Model, Property, Selection, SetId, ValueOrigin};
+use osim_model::{
+    Companion, Document, Irregularity, Limbs, Model, Property, Selection, SetId, ValueOrigin, are_equal_masses,
+};
 
 /// The stiffness and radius in the fixtures of `format/`: a foot of 61.5 kg on a sphere of radius 0.0325 m.
 const STIFFNESS_OF_FILE: f64 = 1_234_567.8;
@@ -429,4 +431,13 @@ fn gravity_comes_from_the_model_and_not_from_the_geometry_file() {
     let read = Model::read_with(force_set_of(&text), vec![beside("1.62"), beside("9.81")]).unwrap();
     assert_eq!(read.gravity(), Some(9.81));
     assert_eq!(read.gravity_position(), Model::parse(text.as_str()).unwrap().gravity_position());
+}
+
+/// A body of 100 kg and one of 102.01 kg differ by 2.01 % of the first and 1.97 % of the second.
+#[test]
+fn masses_are_equal_whichever_comes_first() {
+    for (other_kg, are_equal) in [(102.0, true), (98.1, true), (102.01, false), (98.0, false)] {
+        assert_eq!(are_equal_masses(100.0, other_kg), are_equal);
+        assert_eq!(are_equal_masses(other_kg, 100.0), are_equal);
+    }
 }
