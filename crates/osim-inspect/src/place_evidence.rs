@@ -214,10 +214,14 @@ fn match_layout(list: Vec<SphereCentre<'_>>, bones: &BodyBones) -> Option<Layout
 /// A foot has the published length if the length that its toe joint shows differs by at most this, relatively.
 const SAME_LENGTH_TOLERANCE: f64 = 0.02;
 
+/// Meshes that are so much larger or smaller than published are in another unit, such as millimetres, and show no other size of the bone.
+const PLAUSIBLE_GROWTH: std::ops::Range<f64> = 0.05..20.0;
+
 /// The size of `body` over `published`, by its meshes or else by its joint to the toes; `None` if it has the published size.
 fn growth_of_bone(bones: &BodyBones, body: &str, published: [f64; 3]) -> Option<[f64; 3]> {
     let of_meshes = bones.size(body).filter(|here| !same_size(*here, published));
     let of_meshes = of_meshes.map(|here| std::array::from_fn(|axis| here[axis] / published[axis]));
+    let of_meshes = of_meshes.filter(|growth| growth.iter().all(|one| PLAUSIBLE_GROWTH.contains(one)));
     let of_length = || bones.length_by_toe_joint(body).map(|length| length / published[0]);
     of_meshes.or_else(|| {
         of_length().filter(|ratio| (ratio - 1.0).abs() > SAME_LENGTH_TOLERANCE).map(|ratio| [ratio; 3])

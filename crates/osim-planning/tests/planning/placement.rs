@@ -70,8 +70,14 @@ fn a_published_layout_is_right_on_bones_of_its_size_and_of_no_other() {
     assert_eq!(codes_without_reference(RIGHT_PLACES), []);
     assert_eq!(codes_without_reference(CHILD_BONES), [FindingCode::SpheresMisplaced]);
     // Published at 1.0, too; half a millimetre on a foot is no other size.
-    for (size, expected) in [("1", vec![]), ("0.914", vec![]), ("0.95", vec![FindingCode::SpheresMisplaced])]
-    {
+    // Meshes in millimetres are of no other size either.
+    for (size, expected) in [
+        ("1", vec![]),
+        ("0.914", vec![]),
+        ("0.001", vec![]),
+        ("0.000913924", vec![]),
+        ("0.95", vec![FindingCode::SpheresMisplaced]),
+    ] {
         let text = RIGHT_PLACES.replace("0.913924 0.913924 0.913924", &[size; 3].join(" "));
         // The joint to the toes shows the size, too.
         let text = if size == "1" { text.replace(">0.16341 ", ">0.1788 ") } else { text };
