@@ -63,13 +63,12 @@ impl RemedyTrials<'_> {
             steps.iter().map(|step| FindingIndex::new(&step.found.findings)).collect();
         for one in &mut found.findings {
             let mut both = steps.iter().zip(&remaining);
-            let step_without_it = both.find(|(_, remaining)| remaining.find_same(one).is_none());
+            let step_without_it = both.find(|(_, remaining)| is_put_right(one, remaining));
             let step_without_it = step_without_it.filter(|_| may_have_command(one));
             one.remedy = step_without_it.map(|(step, _)| step.request.clone());
         }
-        let is_gone =
-            |one: &&FindingWithRemedy| remaining.last().is_some_and(|left| left.find_same(one).is_none());
-        found.corrected = warnings_and_errors(&found).filter(is_gone).count();
+        let is_right = |one: &&FindingWithRemedy| remaining.last().is_some_and(|left| is_put_right(one, left));
+        found.corrected = warnings_and_errors(&found).filter(is_right).count();
         found.steps = steps.into_iter().map(|step| step.request).collect();
         found
     }
@@ -178,6 +177,11 @@ fn remedy_candidates(found: &CheckResult) -> Vec<RemedyCandidate> {
 /// Whether the check proposes commands for findings of this kind.
 fn may_have_command(finding: &FindingWithRemedy) -> bool {
     finding.severity >= Severity::Warning && matches!(finding.rule.repair, Repair::Command(_))
+}
+
+/// Whether a warning or an error is not among the `remaining` findings, or is only a remark there, as with published contacts.
+fn is_put_right(one: &FindingWithRemedy, remaining: &FindingIndex<'_>) -> bool {
+    remaining.find_same(one).is_none_or(|left| left.severity == Severity::Remark)
 }
 
 fn warnings_and_errors(found: &CheckResult) -> impl Iterator<Item = &FindingWithRemedy> {
@@ -312,6 +316,17 @@ mod tests {
     use osim_requests::DesignRequest;
 
     use super::*;
+    use crate::rules;
+
+    #[test]
+    fn a_warning_that_is_a_remark_afterwards_is_put_right() {
+        let rule = rules::with_code(|code| code == FindingCode::WideTransition).next().unwrap();
+        let warning: FindingWithRemedy = Finding::new(rule, "wide").with_severity(Severity::Warning).into();
+        let remark: FindingWithRemedy = Finding::new(rule, "wide").with_severity(Severity::Remark).into();
+        for (remaining, is_right) in [(vec![], true), (vec![remark], true), (vec![warning.clone()], false)] {
+            assert_eq!(is_put_right(&warning, &FindingIndex::new(&remaining)), is_right);
+        }
+    }
 
     #[test]
     fn each_step_has_the_next_free_number() {
