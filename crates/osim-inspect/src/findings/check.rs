@@ -17,7 +17,7 @@ use crate::floors::Floors;
 use crate::rules::places::SpherePlaces;
 use crate::rules::sides::{self, KnownSide};
 use crate::rules::{
-    FigureCheck, apply_figure_rules, apply_floor_rules, contacts, find_remedy, floors, model_findings,
+    FigureCheck, apply_figure_rules, apply_floor_rules, contacts, depth, find_remedy, floors, model_findings,
 };
 use crate::{
     BothSides, FindingWithRemedy, InspectOptions, Inspection, KnownContacts, MassMismatch, unexplained_mass,
@@ -98,6 +98,12 @@ fn collect_findings(
     }
     // Figures under a gravity in another unit, or of a property whose name is misspelt, are not judged.
     let has_gravity = !in_other_units || options.stance.gravity_m_s2.is_some();
+    let doubtful = [FindingCode::SphereInTwoForces, FindingCode::LeftRightSwapped];
+    let is_too_stiff = depth::find_too_stiff_contacts(&FigureCheck::new(inspected, &remedies)).is_some();
+    if doubtful.into_iter().any(has_finding) || is_too_stiff {
+        // Numbers that suit forces which are doubled, on the other foot or in another unit are wrong without the fault.
+        remedies = remedies.none_yet();
+    }
     if has_gravity && !has_finding(FindingCode::UnknownName) {
         findings.extend(apply_figure_rules(&FigureCheck::new(inspected, &remedies)));
     }

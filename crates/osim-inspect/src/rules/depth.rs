@@ -195,7 +195,7 @@ rule! { pub(super) TOO_STIFF: TooStiff, Warning, Solver;
 }
 
 /// Finds contacts that are so stiff that their spheres hardly sink in.
-pub(super) fn find_too_stiff_contacts(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> {
+pub(crate) fn find_too_stiff_contacts(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> {
     // The smallest of them is the worst.
     let negative = |sphere: &SphereFigures| Some(-sphere.value(Figure::Indentation)?);
     let affected =

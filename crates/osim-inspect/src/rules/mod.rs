@@ -3,7 +3,7 @@
 
 mod components;
 pub(crate) mod contacts;
-mod depth;
+pub(crate) mod depth;
 mod figure_check;
 pub(crate) mod floors;
 mod forces;

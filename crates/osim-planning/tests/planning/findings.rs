@@ -324,6 +324,20 @@ fn spheres_that_no_force_presses_with_are_a_warning() {
 }
 
 #[test]
+fn no_design_is_proposed_for_contacts_in_another_unit_or_doubled() {
+    let stiff = HUMAN.replace(">1000000<", ">1000000000000<");
+    let (before, rest) = HUMAN.split_once("<ForceSet").unwrap();
+    let (start, forces) = rest.split_once("<objects>").unwrap();
+    let (forces, after) = forces.split_once("</objects>").unwrap();
+    let copies = forces.replace("name=\"", "name=\"copy_of_");
+    let doubled = format!("{before}<ForceSet{start}<objects>{forces}{copies}</objects>{after}");
+    for (text, code) in [(stiff, FindingCode::TooStiff), (doubled, FindingCode::SphereInTwoForces)] {
+        let found = check_text(&text);
+        assert!(has(&found, code) && found.steps.is_empty(), "{:?} {:?}", codes(&found), found.steps);
+    }
+}
+
+#[test]
 fn findings_of_one_kind_are_in_the_order_of_their_lines() {
     let model = Model::parse(foot(&[SOLE])).unwrap();
     let inspected = InspectOptions::default().inspect("model.osim", &model, None);
