@@ -117,7 +117,9 @@ fn collect_findings(
     }
     findings.extend(another_mass);
     findings.extend(another_gravity.map(FindingWithRemedy::from));
-    findings.extend(place_findings);
+    // Two rules about places accuse one sphere once.
+    let place_findings = place_findings.into_iter().filter(|one| !is_accused(one, &findings));
+    findings.extend(place_findings.collect::<Vec<_>>());
     findings.extend(other_findings.iter().cloned().map(FindingWithRemedy::from));
     if has_finding(FindingCode::UnknownName) {
         findings.retain(|finding| !is_effect_of_misspelling(finding.code()));
@@ -126,6 +128,13 @@ fn collect_findings(
         confirm_suspicions(remedy, model, &options.masses);
     }
     with_published_severities(model, &chosen, inspected, findings)
+}
+
+/// Whether `findings` have the code of `one` for all its spheres, as severely.
+fn is_accused(one: &FindingWithRemedy, findings: &[FindingWithRemedy]) -> bool {
+    let alike = findings.iter().filter(|other| other.code() == one.code() && other.severity >= one.severity);
+    let spheres: Vec<&String> = alike.flat_map(|other| &other.spheres).collect();
+    !one.spheres.is_empty() && one.spheres.iter().all(|sphere| spheres.contains(&sphere))
 }
 
 /// Whether findings of this code only show the defaults that OpenSim takes where the name of a property is misspelt. Other causes of them

@@ -204,7 +204,20 @@ fn find_misplaced_by_comparison(placement: &SpherePlacements) -> Vec<Finding> {
             phrase!["Name the model that OpenSim scaled, without an error of its own, with ", Input::From];
         return vec![finding.with_severity(Severity::Error).with_advice(advice)];
     }
-    let unmatched = placement.unmatched.iter().cloned().map(|why| Finding::new(&SPHERES_NOT_COMPARED, why));
+    // Behind the name of the sphere, one cause has one text.
+    let mut unmatched: Vec<(String, Vec<String>)> = Vec::new();
+    for why in placement.unmatched.iter().map(ToString::to_string) {
+        let cause = why.split_once(' ').map_or("", |(_, cause)| cause).to_owned();
+        match unmatched.iter_mut().find(|(known, _)| *known == cause) {
+            Some((_, all)) => all.push(why),
+            None => unmatched.push((cause, vec![why])),
+        }
+    }
+    let unmatched = unmatched.into_iter().filter_map(|(_, all)| {
+        let more = if all.len() > 1 { format!(" (and {} more)", all.len() - 1) } else { String::new() };
+        let text = format!("{}{more}", all.first()?);
+        Some(Finding::new(&SPHERES_NOT_COMPARED, text).with_details(if more.is_empty() { Vec::new() } else { all }))
+    });
     [misplaced_spheres(placement, true), misplaced_spheres(placement, false)]
         .into_iter()
         .flatten()

@@ -27,3 +27,18 @@ fn the_table_of_known_contacts_shows_which_side_is_wrong() {
         assert!(found.ends_with(&expected), "{found}");
     }
 }
+
+#[test]
+fn radii_of_one_side_are_one_finding() {
+    let mut parts = HUMAN.split("<ContactSphere name=\"");
+    let first = parts.next().unwrap().to_owned();
+    let text = parts.fold(first, |text, sphere| {
+        let is_left = sphere.split('"').next().unwrap().ends_with("_l");
+        let sphere = if is_left { sphere.replace(">0.032<", ">0.0384<") } else { sphere.to_owned() };
+        format!("{text}<ContactSphere name=\"{sphere}")
+    });
+    let found = check_text(&text);
+    let different = found.findings.iter().filter(|one| one.code() == FindingCode::LeftRightDiffer);
+    let counts: Vec<usize> = different.map(|one| one.places.len()).collect();
+    assert_eq!(counts, [6], "the left force of each pair");
+}

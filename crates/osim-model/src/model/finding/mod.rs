@@ -136,11 +136,14 @@ impl Finding {
         self.paths().map(|path| Some(path.as_str())).chain(no_path)
     }
 
-    /// What findings of one cause have in common: all but their lines, and the component paths in their texts.
+    /// What findings of one cause have in common: all but their lines, and in their texts the component paths and the names behind "m for".
     fn cause(&self) -> String {
         let texts = std::iter::once(self.message.to_string()).chain(self.details.iter().cloned());
         let without_paths = texts.map(|text| {
-            let words = text.split(' ').map(|word| if word.starts_with('/') { "/" } else { word });
+            let words: Vec<&str> = text.split(' ').collect();
+            let is_name = |at: usize| at > 1 && words.get(at - 2..at) == Some(&["m", "for"]);
+            let words = words.iter().enumerate();
+            let words = words.map(|(at, word)| if word.starts_with('/') || is_name(at) { "/" } else { word });
             words.collect::<Vec<_>>().join(" ")
         });
         format!("{:?}", (self.code(), self.severity, without_paths.collect::<Vec<_>>(), &self.spheres))
