@@ -165,6 +165,12 @@ pub(crate) fn find_contacts_of_another_mass(
     let measure = format!("{} for {} kg", readable(made_for), four_significant(mass));
     let finding =
         Finding::new(&CONTACTS_OF_ANOTHER_MASS, text).with_measure((mass / made_for).ln().abs(), measure);
+    let finding = match inspected.placement {
+        // The caller named the model that was scaled.
+        Some(_) => finding
+            .with_advice("Scale the contacts from the mass they were made for to the mass of this body"),
+        None => finding,
+    };
     Some(FindingWithRemedy::new(finding, remedy))
 }
 

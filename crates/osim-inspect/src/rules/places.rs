@@ -288,7 +288,9 @@ fn misplaced_spheres(placement: &SpherePlacements, stayed: bool) -> Option<Findi
         Finding::new(&SPHERES_MISPLACED, text)
     };
     let finding = finding.with_place(&worst.path).with_position(Some(worst.position)).with_details(details);
-    let finding = finding.with_measure(worst.distance_m(), distance);
+    let finding = finding.with_measure(worst.distance_m(), distance).with_advice(
+        "Bring each sphere to the place that is named here; the proposed command, if there is one, does it",
+    );
     Some(finding.with_spheres(all.into_iter().map(|sphere| sphere.name.clone()).collect()))
 }
 

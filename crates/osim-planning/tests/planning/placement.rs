@@ -181,6 +181,9 @@ fn compared_with_the_model_that_was_scaled_each_sphere_has_its_place() {
         found.findings.iter().all(|one| one.remedy.is_none() || one.code() == FindingCode::SpheresLeftBehind)
     );
     assert!(found.findings.iter().any(|one| one.code() == FindingCode::BeyondHertz));
+    // Nothing advises to name the model that was named.
+    let mut advice = found.findings.iter().map(|one| one.advice.to_string());
+    assert!(advice.all(|advice| !advice.contains("GENERIC") && !advice.contains("ORIGINAL")));
 }
 
 #[test]
