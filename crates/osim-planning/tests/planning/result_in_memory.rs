@@ -77,3 +77,22 @@ fn forces_that_were_removed_are_not_missed_in_the_result() {
     let unmatched: Vec<&String> = remarks.iter().filter(|text| text.contains("has such a name")).collect();
     assert!(unmatched.len() == 1 && unmatched[0].contains("heel_*"), "{remarks:?}");
 }
+
+/// The human whose contacts are right, and as the reference the same human with a tenth of the stiffness, in which spheres sink in up to
+/// their centres: 10^(2/3) times 0.353 R by (3).
+#[test]
+fn an_error_of_the_reference_is_asked_about_in_a_model_without_it() {
+    let human = include_str!("../../../../fixtures/check/known_contacts.osim");
+    let soft = human.replace(">1000000<", ">100000<");
+    let files = InMemory::from_iter([("human.osim", human), ("soft.osim", soft.as_str())]);
+    let plan = |yes: &[&str]| {
+        let call = json!({
+            "verb": "transfer", "models": ["human.osim"], "from": "soft.osim", "reference_mass": 62, "yes": yes,
+        });
+        let change = prepare(Request::from_json(call.to_string().as_bytes()).unwrap(), &files).unwrap();
+        let opened = change.open(Path::new("human.osim"), &files).unwrap();
+        change.plan(&opened, &files).map(|_| ()).map_err(|failure| failure.code)
+    };
+    assert_eq!(plan(&[]), Err("wrong-afterwards"));
+    assert_eq!(plan(&["wrong-afterwards"]), Ok(()));
+}
