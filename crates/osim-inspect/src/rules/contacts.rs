@@ -5,7 +5,7 @@ use osim_model::{
     Example, Fault, FaultKind, Finding, MassRequest, MassSource, Model, Pattern, Repair, Selection, Severity,
     are_equal_masses,
 };
-use osim_requests::options::MassOptions;
+use osim_requests::options::{MassOptions, ScalingOptions};
 use osim_requests::{Kilograms, Request, RescaleRequest};
 
 use crate::findings::{FindingWithRemedy, Remedies, rounded_mass};
@@ -161,7 +161,10 @@ pub(crate) fn find_contacts_of_another_mass(
         known.title.replace(['(', ')'], ""),
         four_significant(mass)
     );
-    let remedy = places_are_right.then(|| scale_to_body(remedies, made_for, mass)).flatten();
+    let bottoms = inspected.standing.iter().flat_map(|body| &body.bottoms);
+    let largest_m = bottoms.map(|bottom| bottom.radius_m).fold(0.0, f64::max);
+    let level = largest_m * ((mass / made_for).cbrt() - 1.0).abs() > LARGE_MOVE_OF_SOLES_M;
+    let remedy = places_are_right.then(|| scale_to_body(remedies, (made_for, mass), level)).flatten();
     let measure = format!("{} for {} kg", readable(made_for), four_significant(mass));
     let finding =
         Finding::new(&CONTACTS_OF_ANOTHER_MASS, text).with_measure((mass / made_for).ln().abs(), measure);
@@ -174,14 +177,22 @@ pub(crate) fn find_contacts_of_another_mass(
     Some(FindingWithRemedy::new(finding, remedy))
 }
 
-/// A remedy that rescales the contacts from one mass to another.
-fn scale_to_body(remedies: &Remedies<'_>, contacts_mass_kg: f64, target_mass_kg: f64) -> Option<Request> {
+/// A rescaling whose radii move bottoms by more than this, m, keeps them where they are.
+const LARGE_MOVE_OF_SOLES_M: f64 = 0.005;
+
+/// A remedy that rescales the contacts from one mass to another, and with `level` keeps bottoms where they are.
+fn scale_to_body(
+    remedies: &Remedies<'_>,
+    (contacts_mass_kg, target_mass_kg): (f64, f64),
+    level: bool,
+) -> Option<Request> {
     let contacts_mass = Some(Kilograms::new(rounded_mass(contacts_mass_kg)).ok()?);
     Some(
         RescaleRequest {
             models: remedies.models(true)?,
             target_mass: Some(Kilograms::new(rounded_mass(target_mass_kg)).ok()?),
             masses: MassOptions { contacts_mass, ..MassOptions::default() },
+            scaling: ScalingOptions { level, ..ScalingOptions::default() },
             choice: remedies.choice(),
             set_files: remedies.set_files(),
             ..RescaleRequest::default()

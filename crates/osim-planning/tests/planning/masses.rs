@@ -1,6 +1,6 @@
 //! Contacts that are made for another mass than the mass of their body.
 
-use crate::checks::{check_text, check_with, codes, has, message};
+use crate::checks::{check_text, check_with, codes, has, message, remedy};
 use crate::feet::{SOLE, SmoothContact, foot};
 use osim_inspect::{InspectOptions, MassMismatch};
 use osim_model::{FindingCode, MassRequest, Model, Note, Scope, Step};
@@ -20,6 +20,17 @@ fn assert_other_mass(text: &str, found: bool) {
 fn contacts_of_a_preset_under_another_body_are_recognised() {
     let text = message(&check_text(MODEL_FOR_OTHER_MASS), FindingCode::ContactsOfAnotherMass);
     assert_eq!(text, "the contacts are for 62 kg (Falisse et al. 2022), the body weighs 90 kg");
+}
+
+/// Radii of 32 mm move bottoms by 32 (∛(90/62) - 1) = 4.2 mm, and by 5.2 mm at 98 kg.
+#[test]
+fn a_rescaling_that_moves_soles_by_more_than_5_mm_keeps_them() {
+    for (trunk, level) in [("<mass>88<", None), ("<mass>96<", Some(true))] {
+        let text = MODEL_FOR_OTHER_MASS.replace("<mass>88<", trunk);
+        let proposed = remedy(&check_text(&text), FindingCode::ContactsOfAnotherMass);
+        assert_eq!(proposed["verb"], "rescale", "{trunk}");
+        assert_eq!(proposed.get("level").and_then(|level| level.as_bool()), level, "{trunk}");
+    }
 }
 
 #[test]
