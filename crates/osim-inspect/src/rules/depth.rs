@@ -8,7 +8,7 @@ use osim_requests::Request;
 
 use crate::rules::figure_check::{FigureCheck, UP_TO_CENTRE_RADII, value_beyond_limit};
 use crate::rules::standing::level_feet;
-use crate::{Figure, FindingWithRemedy, SphereFigures};
+use crate::{Bottom, Figure, FindingWithRemedy, SphereFigures};
 use osim_model::rule;
 
 rule! { pub(super) SUNK_IN: SunkIn, Error, Mass;
@@ -29,10 +29,15 @@ fn too_deep_at_own_height(sphere: &SphereFigures) -> Option<f64> {
     sphere.value(Figure::StandingIndentationModelLaw).filter(|&x| x >= UP_TO_CENTRE_RADII)
 }
 
-/// Finds spheres that sink in up to their centres even if all bottoms are level.
+/// Finds spheres that sink in up to their centres even if all bottoms are level. No body stands on a wall.
 fn sunk_in_level(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> {
-    let affected = check
-        .spheres_with(|sphere| sphere.value(Figure::Indentation).filter(|&x| x >= UP_TO_CENTRE_RADII))?;
+    let bottoms: Vec<&Bottom> = check.inspected.standing.iter().flat_map(|body| &body.bottoms).collect();
+    let carries = |sphere: &SphereFigures| {
+        bottoms.is_empty() || bottoms.iter().any(|bottom| bottom.path == sphere.path)
+    };
+    let affected = check.spheres_with(|sphere| {
+        sphere.value(Figure::Indentation).filter(|&x| x >= UP_TO_CENTRE_RADII && carries(sphere))
+    })?;
     let x = four_significant(affected.largest);
     let text = format!(
         "too soft: at body weight on {} spheres sink {x} R into the floor (x/R by Hertz)",

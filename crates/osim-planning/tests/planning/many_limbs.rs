@@ -95,3 +95,43 @@ fn a_horse_that_two_limbs_carry_is_not_told_to_change() {
     assert!(own.advice.to_string().contains("Nothing, if at least two of its 4 limbs always carry it"));
     assert!(!has(&check_with(NAME, &horse_with_stiffness(0.35), &options_of_trot()), FindingCode::SunkIn));
 }
+
+/// A human on the contacts of Falisse et al. (2022), with a sphere of 10 mm on each hand, in which one hand would sink to the centre.
+#[test]
+fn hands_that_press_on_a_wall_carry_no_body() {
+    const HUMAN: &str = include_str!("../../../../fixtures/check/known_contacts.osim");
+    let [mut bodies, mut joints, mut forces, mut surfaces] = std::array::from_fn(|_| String::new());
+    for (side, z) in [("r", "0.4"), ("l", "-0.4")] {
+        bodies += &format!("<Body name=\"hand_{side}\"><mass>0.5</mass></Body>");
+        joints += &format!(
+            "<PinJoint name=\"arm_{side}\"><socket_parent_frame>chest</socket_parent_frame>\
+             <socket_child_frame>/bodyset/hand_{side}</socket_child_frame><frames><PhysicalOffsetFrame name=\"chest\">\
+             <socket_parent>/bodyset/pelvis</socket_parent><translation>0.4 0.5 {z}</translation></PhysicalOffsetFrame></frames></PinJoint>"
+        );
+        forces += &format!(
+            "<SmoothSphereHalfSpaceForce name=\"push_{side}\"><socket_sphere>/contactgeometryset/palm_{side}</socket_sphere>\
+             <socket_half_space>/contactgeometryset/surface</socket_half_space><stiffness>1000000</stiffness>\
+             <dissipation>2</dissipation></SmoothSphereHalfSpaceForce>"
+        );
+        surfaces += &format!(
+            "<ContactSphere name=\"palm_{side}\"><socket_frame>/bodyset/hand_{side}</socket_frame><location>0 0 0</location>\
+             <radius>0.01</radius></ContactSphere>"
+        );
+    }
+    let insert = |set: &str, objects: &str, text: String| {
+        let (before, rest) = text.split_once(&format!("<{set} name")).unwrap();
+        format!("{before}<{set} name{}", rest.replacen("<objects>", &format!("<objects>{objects}"), 1))
+    };
+    for (turned, is_floor) in [("0 0 0", false), ("0 0 -1.5707963267948966", true)] {
+        let surface = format!(
+            "<ContactHalfSpace name=\"surface\"><socket_frame>/ground</socket_frame><location>0.5 0 0</location>\
+             <orientation>{turned}</orientation></ContactHalfSpace>"
+        );
+        let text = insert("BodySet", &bodies, HUMAN.to_owned());
+        let text = insert("JointSet", &joints, text);
+        let text = insert("ForceSet", &forces, text);
+        let text = insert("ContactGeometrySet", &format!("{surface}{surfaces}"), text);
+        let found = check_with("human.osim", &text, &InspectOptions::default());
+        assert_eq!(has(&found, FindingCode::SunkIn), is_floor, "{:?}", found.findings);
+    }
+}
