@@ -106,11 +106,8 @@ impl KnownContacts {
             let masses = entry.contacts.iter().map(|contact| {
                 // For unscaled contacts the mass is that of the entry, to the last bit.
                 let ratio = radius_m / contact.radius_m;
-                if likeness.is_close(ratio, 1.0) {
-                    entry.made_for_kg
-                } else {
-                    entry.made_for_kg * ratio * ratio * ratio
-                }
+                let is_unscaled = likeness.is_close(ratio, 1.0);
+                if is_unscaled { entry.made_for_kg } else { entry.made_for_kg * ratio * ratio * ratio }
             });
             let made_for_kg = masses.filter(|_| is_for_its_body).find(|&mass| fits(entry, mass, true));
             made_for_kg.map(|made_for_kg| Self::new(entry, made_for_kg))
@@ -434,7 +431,9 @@ mod tests {
     fn a_published_depth_is_a_remark_under_the_published_mass_alone() {
         let entry = entries().iter().find(|entry| entry.name == "moco-2d-gait").unwrap();
         let known = KnownContacts::new(entry, 62.0);
-        for (mass_kg, expected) in [(62.0, Some(Severity::Remark)), (62.5, Some(Severity::Remark)), (620.0, None)] {
+        for (mass_kg, expected) in
+            [(62.0, Some(Severity::Remark)), (62.5, Some(Severity::Remark)), (620.0, None)]
+        {
             assert_eq!(known.severity(FindingCode::SunkIn, Some(mass_kg)), expected, "{mass_kg} kg");
             assert_eq!(known.severity(FindingCode::BeyondHertz, Some(mass_kg)), Some(Severity::Remark));
         }

@@ -222,10 +222,9 @@ fn growth_of_bone(bones: &BodyBones, body: &str, published: [f64; 3]) -> Option<
     let of_meshes = bones.size(body).filter(|here| !same_size(*here, published));
     let of_meshes = of_meshes.map(|here| std::array::from_fn(|axis| here[axis] / published[axis]));
     let of_meshes = of_meshes.filter(|growth| growth.iter().all(|one| PLAUSIBLE_GROWTH.contains(one)));
-    let of_length = || bones.length_by_toe_joint(body).map(|length| length / published[0]);
-    of_meshes.or_else(|| {
-        of_length().filter(|ratio| (ratio - 1.0).abs() > SAME_LENGTH_TOLERANCE).map(|ratio| [ratio; 3])
-    })
+    let of_length = bones.length_by_toe_joint(body).map(|length| length / published[0]);
+    let of_length = of_length.filter(|ratio| (ratio - 1.0).abs() > SAME_LENGTH_TOLERANCE);
+    of_meshes.or(of_length.map(|ratio| [ratio; 3]))
 }
 
 /// The title of a published layout whose mirror image the spheres of `model` are: each foot has the places of the other foot. `None` if the

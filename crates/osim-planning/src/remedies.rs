@@ -67,7 +67,8 @@ impl RemedyTrials<'_> {
             let step_without_it = step_without_it.filter(|_| may_have_command(one));
             one.remedy = step_without_it.map(|(step, _)| step.request.clone());
         }
-        let is_right = |one: &&FindingWithRemedy| remaining.last().is_some_and(|left| is_put_right(one, left));
+        let is_right =
+            |one: &&FindingWithRemedy| remaining.last().is_some_and(|left| is_put_right(one, left));
         found.corrected = warnings_and_errors(&found).filter(is_right).count();
         found.steps = steps.into_iter().map(|step| step.request).collect();
         found

@@ -211,11 +211,6 @@ fn findings_of_result(
     reference: &[FindingWithRemedy],
 ) -> Vec<Finding> {
     let index = FindingIndex::new(before);
-    // An error of the reference is new in a model that has none.
-    let is_of_reference = |one: &FindingWithRemedy| {
-        let mut alike = reference.iter().filter(|was| was.code() == one.code() && was.severity >= one.severity);
-        one.severity < Severity::Error && alike.next().is_some()
-    };
     let had = |one: &FindingWithRemedy| {
         // A finding with another code in the same place is not new: contacts that no longer are those of a published model are not
         // worse.
@@ -223,7 +218,9 @@ fn findings_of_result(
         let is_known = |code| code != one.code() || index.has_all_places(one);
         was.filter(|was| is_known(was.code()))
             .is_some_and(|was| was.code() == one.code() || was.rule.severity >= one.rule.severity)
-            || is_of_reference(one)
+            // An error of the reference is new in a model that has none.
+            || (one.severity < Severity::Error
+                && reference.iter().any(|was| was.code() == one.code() && was.severity >= one.severity))
     };
     let judged = |one: &FindingWithRemedy| Finding { had_before: had(one), ..one.finding.clone() };
     after.unwrap_or(before).iter().map(judged).collect()

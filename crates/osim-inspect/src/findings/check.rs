@@ -86,7 +86,6 @@ fn collect_findings(
     if is_unsettled || places.are_wrong() || are_spheres_odd(model) {
         remedies = remedies.none_yet();
     }
-    remedies.may_level = ![FindingCode::LeftRightPlaces, FindingCode::SpheresMisplaced].into_iter().any(has_finding);
     let mut findings = findings_about_model(model, inspected, &floors_of_model, &remedies);
     if are_bodies_of_another_mass(model, inspected, options) {
         findings.retain(|finding| finding.code() != FindingCode::OddRadius);
@@ -106,6 +105,11 @@ fn collect_findings(
     }
     if has_gravity && !has_finding(FindingCode::UnknownName) {
         findings.extend(apply_figure_rules(&FigureCheck::new(inspected, &remedies)));
+    }
+    if [FindingCode::LeftRightPlaces, FindingCode::SpheresMisplaced].into_iter().any(has_finding) {
+        // To make feet level would hide the wrong place.
+        let makes_level = |remedy: &mut Request| matches!(remedy, Request::Set(set) if set.level);
+        findings.iter_mut().for_each(|one| drop(one.remedy.take_if(makes_level)));
     }
     if options.selection.apply(model).is_err_and(|fault| matches!(fault.kind, FaultKind::NoContacts { .. })) {
         // A model without contacts needs no number of spheres.
@@ -178,12 +182,8 @@ fn are_bodies_of_another_mass(model: &Model, inspected: &Inspection, options: &I
 
 /// Whether spheres have to be corrected first. Figures of a sphere in millimetres, or of a copied sphere, have no meaning.
 fn are_spheres_odd(model: &Model) -> bool {
-    let codes = [
-        FindingCode::OddRadius,
-        FindingCode::OddPlace,
-        FindingCode::CrowdedSpheres,
-        FindingCode::DoubledSpheres,
-    ];
+    use FindingCode::{CrowdedSpheres, DoubledSpheres, OddPlace, OddRadius};
+    let codes = [OddRadius, OddPlace, CrowdedSpheres, DoubledSpheres];
     model_findings(model).iter().any(|finding| codes.contains(&finding.code()))
 }
 

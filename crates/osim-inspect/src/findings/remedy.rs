@@ -47,8 +47,6 @@ pub(crate) struct Remedies<'m> {
     pub(crate) body_kg: Option<f64>,
     /// Whether radii can be changed: no force outside the change uses the spheres.
     radii_may_change: bool,
-    /// Whether no sphere has a wrong place, which a remedy that makes bottoms level would hide.
-    pub(crate) may_level: bool,
 }
 
 /// The options of a remedy about mass, gravity and number of spheres, repeated from the call of the user.
@@ -88,17 +86,7 @@ impl<'m> Remedies<'m> {
         let is_weight_known = inspected.figures.mass_kg.is_some();
         let body_kg = inspected.mass_kg;
         let radii_may_change = !changeable.numbers || changeable.radii;
-        Self {
-            model,
-            load,
-            options,
-            one_modulus,
-            is_counted,
-            is_weight_known,
-            body_kg,
-            radii_may_change,
-            may_level: true,
-        }
+        Self { model, load, options, one_modulus, is_counted, is_weight_known, body_kg, radii_may_change }
     }
 
     /// Turns off all remedies, because another fault has to be corrected first, after which these remedies would be wrong.
@@ -143,7 +131,7 @@ impl<'m> Remedies<'m> {
     /// A remedy that brings the bottoms of each foot to one height.
     pub(crate) fn level_feet(&self) -> Option<Request> {
         // A sphere that another force needs as it is can neither move nor change its radius.
-        let models = self.models(true).filter(|_| self.may_level)?;
+        let models = self.models(true)?;
         Some(SetRequest { models, level: true, ..self.set(Vec::new())? }.into())
     }
 

@@ -4,8 +4,8 @@
 use std::collections::BTreeMap;
 
 use foldhash::HashMap;
-use osim_model::feet::{RestOnFloor, RestingSphere, SphereOverFloor, Standing};
 use osim_model::DVec3;
+use osim_model::feet::{RestOnFloor, RestingSphere, SphereOverFloor, Standing};
 use osim_model::messages::{four_significant, readable, shown};
 use osim_model::{Limb, Limbs, Model, Sphere, SphereId};
 use serde::Serialize;

@@ -9,6 +9,7 @@ use osim_requests::options::{MassOptions, ScalingOptions};
 use osim_requests::{Kilograms, Request, RescaleRequest};
 
 use crate::findings::{FindingWithRemedy, Remedies, rounded_mass};
+use crate::rules::spheres::finding_about_spheres;
 use crate::{InspectOptions, Inspection, KnownContacts};
 use osim_model::rule;
 
@@ -25,16 +26,19 @@ pub(crate) fn find_bare_model(options: &InspectOptions, model: &Model) -> Option
     let fault = options.selection.apply(model).err()?;
     // Contacts of another class have a finding of their own.
     let is_bare = matches!(fault.kind, FaultKind::NoContacts { replaces: false, .. });
-    let finding = is_bare.then(|| Finding::new(&BARE_MODEL, fault.phrase()))?;
-    let moving = model.spheres().iter().filter(|sphere| sphere.body.is_some());
-    let moving: Vec<String> = moving.map(|sphere| sphere.name.clone()).collect();
-    if moving.is_empty() {
-        return Some(finding);
-    }
-    // Whoever left spheres did not mean a model without contacts.
-    let text = format!("no force presses with {}; ", counted(moving.len(), "sphere"));
-    let message = phrase![text, &finding.message];
-    Some(finding.with_message(message).with_spheres(moving).with_severity(Severity::Warning))
+    is_bare.then(|| {
+        let moving = model.spheres().iter().filter(|sphere| sphere.body.is_some());
+        let text = format!(
+            "no force presses with {}: the model has no contacts",
+            counted(moving.clone().count(), "sphere")
+        );
+        // Whoever left spheres did not mean a model without contacts.
+        let left = finding_about_spheres(&BARE_MODEL, text, moving);
+        left.map_or_else(
+            || Finding::new(&BARE_MODEL, fault.phrase()),
+            |one| one.with_severity(Severity::Warning),
+        )
+    })
 }
 
 rule! { pub(crate) UNMATCHED_PATTERN: UnmatchedPattern, Remark;
@@ -107,10 +111,8 @@ rule! { pub(crate) COUNT_UNKNOWN: CountUnknown, Remark, Mass;
 pub(crate) fn find_count_unknown(inspected: &Inspection) -> Option<Finding> {
     let limbs = &inspected.figures.limbs;
     let is_counted = !limbs.is_empty() && limbs.iter().all(|limb| limb.sphere_count.is_some());
-    match (&inspected.limbs, is_counted, &inspected.limbs_unknown) {
-        (None, false, Some(why)) => Some(Finding::new(&COUNT_UNKNOWN, why.clone())),
-        _ => None,
-    }
+    let why = inspected.limbs_unknown.clone().filter(|_| inspected.limbs.is_none() && !is_counted)?;
+    Some(Finding::new(&COUNT_UNKNOWN, why))
 }
 
 rule! { pub(crate) KNOWN_CONTACTS: KnownContacts, Remark;
@@ -164,16 +166,15 @@ pub(crate) fn find_contacts_of_another_mass(
     let bottoms = inspected.standing.iter().flat_map(|body| &body.bottoms);
     let largest_m = bottoms.map(|bottom| bottom.radius_m).fold(0.0, f64::max);
     let level = largest_m * ((mass / made_for).cbrt() - 1.0).abs() > LARGE_MOVE_OF_SOLES_M;
-    let remedy = places_are_right.then(|| scale_to_body(remedies, (made_for, mass), level)).flatten();
+    let remedy = places_are_right.then(|| scale_to_body(remedies, [made_for, mass], level)).flatten();
     let measure = format!("{} for {} kg", readable(made_for), four_significant(mass));
-    let finding =
+    let mut finding =
         Finding::new(&CONTACTS_OF_ANOTHER_MASS, text).with_measure((mass / made_for).ln().abs(), measure);
-    let finding = match inspected.placement {
+    if inspected.placement.is_some() {
         // The caller named the model that was scaled.
-        Some(_) => finding
-            .with_advice("Scale the contacts from the mass they were made for to the mass of this body"),
-        None => finding,
-    };
+        finding.advice =
+            "Scale the contacts from the mass they were made for to the mass of this body".into();
+    }
     Some(FindingWithRemedy::new(finding, remedy))
 }
 
@@ -181,17 +182,13 @@ pub(crate) fn find_contacts_of_another_mass(
 const LARGE_MOVE_OF_SOLES_M: f64 = 0.005;
 
 /// A remedy that rescales the contacts from one mass to another, and with `level` keeps bottoms where they are.
-fn scale_to_body(
-    remedies: &Remedies<'_>,
-    (contacts_mass_kg, target_mass_kg): (f64, f64),
-    level: bool,
-) -> Option<Request> {
-    let contacts_mass = Some(Kilograms::new(rounded_mass(contacts_mass_kg)).ok()?);
+fn scale_to_body(remedies: &Remedies<'_>, masses_kg: [f64; 2], level: bool) -> Option<Request> {
+    let [contacts_mass, target_mass] = masses_kg.map(|kg| Kilograms::new(rounded_mass(kg)).ok());
     Some(
         RescaleRequest {
             models: remedies.models(true)?,
-            target_mass: Some(Kilograms::new(rounded_mass(target_mass_kg)).ok()?),
-            masses: MassOptions { contacts_mass, ..MassOptions::default() },
+            target_mass: Some(target_mass?),
+            masses: MassOptions { contacts_mass: Some(contacts_mass?), ..MassOptions::default() },
             scaling: ScalingOptions { level, ..ScalingOptions::default() },
             choice: remedies.choice(),
             set_files: remedies.set_files(),

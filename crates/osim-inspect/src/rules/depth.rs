@@ -8,7 +8,7 @@ use osim_requests::Request;
 
 use crate::rules::figure_check::{FigureCheck, UP_TO_CENTRE_RADII, value_beyond_limit};
 use crate::rules::standing::level_feet;
-use crate::{Bottom, Figure, FindingWithRemedy, SphereFigures};
+use crate::{Figure, FindingWithRemedy, SphereFigures};
 use osim_model::rule;
 
 rule! { pub(super) SUNK_IN: SunkIn, Error, Mass;
@@ -31,10 +31,9 @@ fn too_deep_at_own_height(sphere: &SphereFigures) -> Option<f64> {
 
 /// Finds spheres that sink in up to their centres even if all bottoms are level. No body stands on a wall.
 fn sunk_in_level(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> {
-    let bottoms: Vec<&Bottom> = check.inspected.standing.iter().flat_map(|body| &body.bottoms).collect();
-    let carries = |sphere: &SphereFigures| {
-        bottoms.is_empty() || bottoms.iter().any(|bottom| bottom.path == sphere.path)
-    };
+    let bottoms = check.inspected.standing.iter().flat_map(|body| &body.bottoms);
+    let on_floors: Vec<&str> = bottoms.map(|bottom| bottom.path.as_str()).collect();
+    let carries = |sphere: &SphereFigures| on_floors.is_empty() || on_floors.contains(&sphere.path.as_str());
     let affected = check.spheres_with(|sphere| {
         sphere.value(Figure::Indentation).filter(|&x| x >= UP_TO_CENTRE_RADII && carries(sphere))
     })?;
@@ -43,14 +42,11 @@ fn sunk_in_level(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> {
         "too soft: at body weight on {} spheres sink {x} R into the floor (x/R by Hertz)",
         carrying_limbs(check)
     );
-    let finding = check.finding_at_sphere(&SUNK_IN, &text, &affected);
+    let mut finding = check.finding_at_sphere(&SUNK_IN, &text, &affected);
     Some(match ManyLimbs::of(check) {
         Some(limbs) => limbs.sunk_in(finding, affected.largest, check),
         None => {
-            let finding = match advice_if_made_for_this_body(check) {
-                Some(advice) => finding.with_advice(advice),
-                None => finding,
-            };
+            finding.advice = advice_if_made_for_this_body(check).unwrap_or(finding.advice);
             FindingWithRemedy::new(finding, check.remedies.reduce_indentation(&check.spheres))
         }
     })
@@ -110,10 +106,7 @@ fn sunk_in_at_own_heights(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> 
          height at the default pose)",
         carrying_limbs(check)
     );
-    Some(FindingWithRemedy::new(
-        check.finding_at_sphere(&SUNK_IN, &text, &affected),
-        level_feet(check),
-    ))
+    Some(FindingWithRemedy::new(check.finding_at_sphere(&SUNK_IN, &text, &affected), level_feet(check)))
 }
 
 /// Advice about a foot that stands on an edge because of the default pose.
@@ -140,19 +133,14 @@ impl ManyLimbs {
     }
 
     /// Adapts `finding`, that spheres sink in by `x` of their radius, to a body with many limbs: adds x/R on two limbs, and advice.
-    fn sunk_in(&self, finding: Finding, x: f64, check: &FigureCheck<'_>) -> FindingWithRemedy {
+    fn sunk_in(&self, mut finding: Finding, x: f64, check: &FigureCheck<'_>) -> FindingWithRemedy {
         let carrying = self.stance_limbs.max(LEAST_CARRYING_LIMBS);
         // Equal spheres share the load, and x̂ follows F^(2/3) (3).
         let x_hat = x * (self.stance_limbs / carrying).powf(2.0 / 3.0);
         let on = format!("on {} of its {} limbs", readable(carrying), self.limbs);
-        let finding = match self.stance_limbs < carrying {
-            true => {
-                let message =
-                    phrase![&finding.message, format!("; {on} it is {} R", four_significant(x_hat))];
-                finding.with_message(message)
-            }
-            false => finding,
-        };
+        if self.stance_limbs < carrying {
+            finding.message.push(format!("; {on} it is {} R", four_significant(x_hat)));
+        }
         match x_hat < UP_TO_CENTRE_RADII {
             // The contacts may be right, because no animal stands on one of four limbs.
             true => {

@@ -205,19 +205,12 @@ fn find_misplaced_by_comparison(placement: &SpherePlacements) -> Vec<Finding> {
         return vec![finding.with_severity(Severity::Error).with_advice(advice)];
     }
     // Behind the name of the sphere, one cause has one text.
-    let mut unmatched: Vec<(String, Vec<String>)> = Vec::new();
+    let mut unmatched: BTreeMap<String, Vec<Finding>> = BTreeMap::new();
     for why in placement.unmatched.iter().map(ToString::to_string) {
-        let cause = why.split_once(' ').map_or("", |(_, cause)| cause).to_owned();
-        match unmatched.iter_mut().find(|(known, _)| *known == cause) {
-            Some((_, all)) => all.push(why),
-            None => unmatched.push((cause, vec![why])),
-        }
+        let cause = why.split_once(' ').map(|(_, cause)| cause.to_owned()).unwrap_or_default();
+        unmatched.entry(cause).or_default().push(Finding::new(&SPHERES_NOT_COMPARED, why));
     }
-    let unmatched = unmatched.into_iter().filter_map(|(_, all)| {
-        let more = if all.len() > 1 { format!(" (and {} more)", all.len() - 1) } else { String::new() };
-        let text = format!("{}{more}", all.first()?);
-        Some(Finding::new(&SPHERES_NOT_COMPARED, text).with_details(if more.is_empty() { Vec::new() } else { all }))
-    });
+    let unmatched = unmatched.into_values().filter_map(|cases| Finding::join_cases(&cases));
     [misplaced_spheres(placement, true), misplaced_spheres(placement, false)]
         .into_iter()
         .flatten()
@@ -332,13 +325,10 @@ pub(super) fn find_no_heel(sides: &BothSides<'_>) -> Option<Finding> {
             *least = (ahead_m, sphere);
         }
     }
-    let is_ahead = |body: &str, ahead_m: f64| {
-        sides.longest_bone_of_limb_m(body).is_some_and(|bone_m| ahead_m > LEAST_AHEAD_OF_ANKLE * bone_m)
-    };
-    let without_heel = rearmost
-        .into_iter()
-        .filter(|(body, (ahead_m, _))| is_ahead(body, *ahead_m))
-        .map(|(_, rearmost)| rearmost);
+    rearmost.retain(|body, (ahead_m, _)| {
+        sides.longest_bone_of_limb_m(body).is_some_and(|bone_m| *ahead_m > LEAST_AHEAD_OF_ANKLE * bone_m)
+    });
+    let without_heel = rearmost.into_values();
     let (ahead_m, sphere) = without_heel.reduce(|a, b| if b.0 > a.0 { b } else { a })?;
     let text = format!(
         "the heel has no sphere: the rearmost, {}, is {} mm ahead of the ankle",

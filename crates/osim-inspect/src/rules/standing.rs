@@ -88,10 +88,9 @@ impl<'i> UnevenLimb<'i> {
 
     /// Whether the difference is a warning. It is not a warning if the foot leans so much that the difference follows from the pose.
     fn is_warning(&self) -> bool {
-        let leans = self.tilt_rad > MOST_LEAN_RAD;
-        let of_pose_m = self.lowest.centre_m.distance(self.highest.centre_m) * libm::sin(self.tilt_rad);
-        let of_pose_radii = if leans { of_pose_m / self.lowest.radius_m } else { 0.0 };
-        self.differs_by_more_than(WARNING_DIFFERENCE_RADII + of_pose_radii)
+        let tilt_rad = if self.tilt_rad > MOST_LEAN_RAD { self.tilt_rad } else { 0.0 };
+        let of_pose_m = self.lowest.centre_m.distance(self.highest.centre_m) * libm::sin(tilt_rad);
+        self.differs_by_more_than(WARNING_DIFFERENCE_RADII + of_pose_m / self.lowest.radius_m)
     }
 
     /// The lowest and the highest bottom of `limb`; `None` if the limb or its bottoms are not known.
@@ -132,12 +131,9 @@ impl<'i> UnevenLimb<'i> {
             let sphere = self.limb.spheres.iter().find(has_path)?;
             Some(three_significant(sphere.value(Figure::StandingIndentationModelLaw)?))
         };
-        match depth(self.lowest).zip(depth(self.highest)) {
-            Some((lowest, highest)) => {
-                format!(": with body weight on them x/R is {lowest} and {highest}")
-            }
-            None => String::new(),
-        }
+        let both = depth(self.lowest).zip(depth(self.highest));
+        let text = |(lowest, highest)| format!(": with body weight on them x/R is {lowest} and {highest}");
+        both.map(text).unwrap_or_default()
     }
 }
 

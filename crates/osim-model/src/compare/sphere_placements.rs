@@ -7,7 +7,9 @@ use glam::DVec3;
 
 use super::follow::{Factors, ScaleFile};
 use crate::messages::{Input, Phrase, Verb};
-use crate::model::{Anatomy, AnatomySphere, Fault, LevelAxis, Model, Note, RadiusAxis, Step, TextPosition};
+use crate::model::{
+    Anatomy, AnatomySphere, Fault, LevelAxis, Model, Note, RadiusAxis, SphereId, Step, TextPosition,
+};
 
 /// Two places are equal if they differ by no more than this, m.
 const SAME_PLACE_M: f64 = 1e-6;
@@ -84,9 +86,8 @@ impl SpherePlacements {
             };
             let scaled = Anatomy::of(model).map_err(in_words)?;
             // Without a common sphere nothing is compared, whatever the bones are.
-            let mut loaded = model.loaded_spheres(&model.force_ids()).into_iter();
-            let is_common = |id| original.sphere(&model.sphere(id)?.name);
-            if !loaded.any(|id| is_common(id).is_some()) {
+            let common = |&id: &SphereId| original.sphere(&model.sphere(id)?.name);
+            if model.loaded_spheres(&model.force_ids()).iter().all(|id| common(id).is_none()) {
                 return Ok((Vec::new(), Vec::new(), false));
             }
             let factors = Factors::find(&scaled, original, file, &BTreeMap::new()).map_err(in_words)?;

@@ -45,10 +45,8 @@ struct Placements {
 impl DefaultPose {
     /// The default pose of `model`, which is computed once for each model.
     pub fn of(model: &Model) -> Self {
-        Self(Arc::clone(model.derived_from_bodies(|model| {
-            let coordinates = CoordinateValues::at_default_pose(model);
-            Arc::new(Placements::at(model, &coordinates.values, coordinates.doubt.clone()))
-        })))
+        let place = |model: &Model| Arc::new(Placements::at(model, CoordinateValues::at_default_pose(model)));
+        Self(Arc::clone(model.derived_from_bodies(place)))
     }
 
     /// The pose with all coordinates at 0, if the heaviest body is turned against it by more than 45 degrees under `up`: at the default
@@ -59,7 +57,7 @@ impl DefaultPose {
         let AtZero(at_zero) = model.derived_from_bodies(|model| {
             let names = model.joints().iter().flat_map(|joint| &joint.coordinates);
             let values = names.map(|coordinate| (coordinate.name.clone(), 0.0)).collect();
-            AtZero(Self(Arc::new(Placements::at(model, &values, None))))
+            AtZero(Self(Arc::new(Placements::at(model, &CoordinateValues { values, doubt: None }))))
         });
         let masses = model.bodies().iter().filter_map(|body| Some((body.mass_kg().ok()?, &body.name)));
         let (_, heaviest) = masses.max_by(|a, b| a.0.total_cmp(&b.0))?;
@@ -86,10 +84,10 @@ impl DefaultPose {
 impl Placements {
     /// Places all bodies at these values of the coordinates, beginning at ground. It is in doubt if a joint closes a loop of joints and the
     /// two chains lead to different places.
-    fn at(model: &Model, values: &HashMap<String, f64>, doubt: Option<PoseFault>) -> Self {
-        let mut pose = Self { placements: HashMap::new(), doubt };
+    fn at(model: &Model, coordinates: &CoordinateValues) -> Self {
+        let mut pose = Self { placements: HashMap::new(), doubt: coordinates.doubt.clone() };
         for JointStep { joint, from, to, forward, closes } in joints_from_ground(model.joints()) {
-            let in_parent = joint_placement(model, values, joint);
+            let in_parent = joint_placement(model, &coordinates.values, joint);
             let placement = pose.placement_beyond(in_parent, from, forward);
             let earlier = match to {
                 None => Some(Ok(Placement::IDENTITY)),

@@ -6,7 +6,8 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 
 use osim_model::{
-    Companion, Document, Irregularity, Limbs, Model, Property, Selection, SetId, ValueOrigin, are_equal_masses,
+    Companion, Document, Irregularity, Limbs, Model, Property, Selection, SetId, ValueOrigin,
+    are_equal_masses,
 };
 
 /// The stiffness and radius in the fixtures of `format/`: a foot of 61.5 kg on a sphere of radius 0.0325 m.

@@ -337,7 +337,8 @@ fn a_sphere_without_a_counterpart_is_reported_and_nothing_is_said_to_be_right() 
         assert!(found.findings.iter().all(|one| one.remedy.is_none()), "a transfer would refuse");
     }
     // All spheres of one side: one cause for three, each with its sentence.
-    let renamed = SCALED_MODEL.replace("toe_r", "tip_r").replace("ball_r", "mid_r").replace("heel_r", "hind_r");
+    let renamed =
+        SCALED_MODEL.replace("toe_r", "tip_r").replace("ball_r", "mid_r").replace("heel_r", "hind_r");
     let found = check_text(&renamed, Some(GENERIC_MODEL));
     let not_compared = found.findings.iter().filter(|one| one.code() == FindingCode::SpheresNotCompared);
     let counts: Vec<usize> = not_compared.map(|one| one.details.len()).collect();

@@ -151,10 +151,8 @@ impl<'j> StandingTree<'_, 'j> {
                 _ => 0.0,
             };
             let centre = heights_over_floor::centre_and_radius(self.model, sphere, pose)?;
-            let over_floor = least.zip(centre).map(|(gap_m, (centre_m, _))| {
-                SphereOverFloor { sphere, gap_m, tilt_rad, centre_m }
-            });
-            over.extend(over_floor);
+            let over_floor = |(gap_m, (centre_m, _))| SphereOverFloor { sphere, gap_m, tilt_rad, centre_m };
+            over.extend(least.zip(centre).map(over_floor));
         }
         let (lift, mass_kg) = self.lift(spheres, &planes, lifting);
         let gravity = self.model.gravity().filter(|gravity| *gravity > 0.0 && gravity.is_finite());

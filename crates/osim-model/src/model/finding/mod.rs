@@ -163,7 +163,8 @@ impl Finding {
         groups.iter().filter_map(|cases| Self::join_cases(cases)).collect()
     }
 
-    fn join_cases(cases: &[Self]) -> Option<Self> {
+    /// One finding of all `cases`, with the place and the line of the first, and a sentence for each.
+    pub fn join_cases(cases: &[Self]) -> Option<Self> {
         let mut joined = cases.first()?.clone();
         if cases.len() > 1 {
             joined.places = cases.iter().flat_map(Self::paths).cloned().collect();
