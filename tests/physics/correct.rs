@@ -224,6 +224,17 @@ fn a_foot_that_is_off_is_said() {
     }
 }
 
+/// Smoothed forces far above the floor are 0, whatever the sign that the law gives them.
+#[test]
+fn a_force_of_nothing_has_no_sign() {
+    let Some(dir) = subject("a force of nothing", "smooth") else { return };
+    change(&dir, "subject01_walk1_ik.mot", "pelvis_ty", |value, _| value + 1.0);
+    dir.run("motion feet.osim subject01_walk1_ik.mot")
+        .succeeded()
+        .says(&["it never touches"])
+        .says_not(&[" -0 "]);
+}
+
 /// Without public recordings: the walker of the fixtures has a floor 11 mm too high, and contacts twice as stiff as its plates.
 #[test]
 fn the_walker_is_corrected_within_a_window() {

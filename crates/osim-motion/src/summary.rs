@@ -280,7 +280,8 @@ impl SphereSummary {
         let slips: Vec<f64> = touching.map(|state| state.slip_speed_m_s()).collect();
         Self {
             pair,
-            peak_n: all.iter().map(|state| state.normal_force_n).fold(f64::NEG_INFINITY, f64::max),
+            // Adding 0 removes the sign of a negative zero.
+            peak_n: all.iter().map(|state| state.normal_force_n + 0.0).fold(f64::NEG_INFINITY, f64::max),
             largest_relative_indentation,
             largest_at_s: states.time_s.get(deepest).copied().unwrap_or_default(),
             largest_stress_n_m2: largest_stress(states, pair, &all),
