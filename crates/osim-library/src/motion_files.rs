@@ -49,7 +49,7 @@ impl MotionFiles {
             if let Some(path) = path.filter(|path| !is_table(path)) {
                 let path = path.display().to_string();
                 return Err(LibraryFault::new(
-                    phrase!["{} '{}': expected a name that ends in .sto"; input, path],
+                    phrase!["{} '{}': expected a name that ends in .sto or .mot"; input, path],
                 ));
             }
         }
