@@ -257,14 +257,17 @@ pub(crate) fn property_factor(
     ratios: &Ratios,
     by: DissipationBy,
 ) -> Option<(f64, ChangedBy)> {
+    let by_mass = by == DissipationBy::Mass;
     Some(match property {
         Property::Stiffness => (ratios.plane_strain_modulus(), ChangedBy::Equation("10")),
-        Property::Dissipation => match by {
-            DissipationBy::Radius => (ratios.dissipation(), ChangedBy::Equation("14")),
-            DissipationBy::Mass => (ratios.dissipation_by_mass(), ChangedBy::Equation("14")),
-        },
+        Property::Dissipation if by_mass => (ratios.dissipation_by_mass(), ChangedBy::Equation("14")),
+        Property::Dissipation => (ratios.dissipation(), ChangedBy::Equation("14")),
         Property::ConstantContactForce => (ratios.constant_contact_force(), ChangedBy::Equation("C.2")),
         Property::HertzSmoothing => (ratios.hertz_smoothing(), ChangedBy::Equation("C.5")),
+        // (C.9) keeps its shape if bv and α both follow the same speed.
+        Property::HuntCrossleySmoothing if by_mass => {
+            (ratios.dissipation_by_mass(), ChangedBy::Equation("C.10"))
+        }
         Property::HuntCrossleySmoothing => (ratios.hunt_crossley_smoothing(), ChangedBy::Equation("C.10")),
         Property::TransitionVelocity => (ratios.transition_velocity(), ChangedBy::Friction),
         Property::ViscousFriction => (ratios.viscous_friction(), ChangedBy::Friction),

@@ -64,15 +64,18 @@ fn a_radius_given_in_metres_is_written_exactly_and_gives_the_ratios() {
 
 #[test]
 fn dissipation_can_follow_the_mass_instead() {
-    // α × 64^{-1/6} = 1/2, also where radii stay.
-    let force = |stiffness: &str, dissipation: &str| {
-        smooth(&format!("<stiffness>{stiffness}</stiffness>\n<dissipation>{dissipation}</dissipation>"))
+    // α × 64^{-1/6} = 1/2, also where radii stay, and bv, so that their ratio stays.
+    let force = |stiffness: &str, dissipation: &str, smoothing: &str| {
+        smooth(&format!(
+            "<stiffness>{stiffness}</stiffness>\n<dissipation>{dissipation}</dissipation>\n\
+             <hunt_crossley_smoothing>{smoothing}</hunt_crossley_smoothing>"
+        ))
     };
-    given(foot(&force("1000000", "2"), "0.01"))
+    given(foot(&force("1000000", "2", "50"), "0.01"))
         .radius(RadiusRule::Keep)
         .dissipation_by_mass()
         .rescaled_to(64.0)
-        .produces(foot(&force("64000000", "1"), "0.01"));
+        .produces(foot(&force("64000000", "1", "25"), "0.01"));
 }
 
 #[test]
