@@ -84,6 +84,10 @@ fn a_foot_falls_in_the_place_of_its_body() {
     dir.run("drop-test human.osim --foot-mass 3.9")
         .succeeded()
         .says(&["3.9 kg on 6 spheres", "the foot alone falls"]);
+    let heavy = numbers.replace("3.9", "63");
+    dir.run(&format!("drop-test {heavy}"))
+        .usage_error()
+        .says(&["the foot (63 kg) is heavier than its body (62 kg)"]);
 }
 
 fn table_1_animals(class: &str) -> TestDir {

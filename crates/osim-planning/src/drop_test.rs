@@ -11,7 +11,7 @@ use osim_inspect::{
     ContactsOrigin, LoadSharing, MassMismatch, Quantity, Stance, unexplained_mass, weight_share_on_floor,
 };
 use osim_model::files::{Failure, FileName, Files, OpenModel};
-use osim_model::messages::{Input, Phrase, phrase};
+use osim_model::messages::{Input, Phrase, phrase, readable};
 use osim_model::{CountedSpheres, Fault, GravityFor, MassRequest, MissingFact};
 use osim_requests::{Count, DropTestRequest, Kilograms, NotNegative, Positive, RequestError, RequestFault};
 
@@ -168,7 +168,7 @@ fn drop_of_model(
     };
     // The body falls along the normal of its floor.
     let along_normal = gravity * weight_share_on_floor(model, &sharing.forces);
-    let mass_kg = own.foot_kg.unwrap_or(mass.kg);
+    let mass_kg = falling_kg(own.foot_kg, mass.kg).map_err(Fault::refused)?;
     let weight = Weight { mass_kg, gravity_m_s2: along_normal, sphere_count: count };
     let prepared_drop = prepare_drop(request, open.name(), spheres, &weight)
         .map_err(|error| Fault::refused(error.to_string()))?;
@@ -187,7 +187,7 @@ fn drop_of_preset(
     let on_limbs = scale.sphere_count() * own.stance_limbs.unwrap_or(1.0);
     let count = own.spheres.unwrap_or(on_limbs);
     let weight = Weight {
-        mass_kg: own.foot_kg.or(own.mass_kg).unwrap_or(scale.mass_kg()),
+        mass_kg: falling_kg(own.foot_kg, own.mass_kg.unwrap_or(scale.mass_kg())).map_err(domain_fault)?,
         gravity_m_s2: own.gravity_m_s2.unwrap_or(scale.gravity_m_s2()),
         sphere_count: count,
     };
@@ -221,9 +221,20 @@ fn drop_of_numbers(request: &DropTestRequest) -> Result<PreparedDrop, RequestFau
     let law = Contact::new(values).and_then(|contact| Law::of(&contact, radius));
     let spheres = vec![law.and_then(|law| Spheres::new(law, count)).map_err(domain_fault)?];
     let gravity_m_s2 = numbers.gravity().unwrap_or(STANDARD_GRAVITY_M_S2);
-    let mass_kg = request.foot_mass.map_or(mass, Kilograms::get);
+    let mass_kg = falling_kg(request.foot_mass.map(Kilograms::get), mass).map_err(domain_fault)?;
     let weight = Weight { mass_kg, gravity_m_s2, sphere_count: count };
     prepare_drop(request, "the numbers given", spheres, &weight).map_err(domain_fault)
+}
+
+/// The mass that falls, kg: that of the foot, if it is given.
+///
+/// # Errors
+/// The foot is heavier than the body.
+fn falling_kg(foot_kg: Option<f64>, body_kg: f64) -> Result<f64, String> {
+    let falling_kg = foot_kg.unwrap_or(body_kg);
+    let [foot, body] = [falling_kg, body_kg].map(readable);
+    let why = format!("the foot ({foot} kg) is heavier than its body ({body} kg)");
+    if falling_kg > body_kg { Err(why) } else { Ok(falling_kg) }
 }
 
 /// The mass that falls, its gravity, and the number of spheres that share its weight.
