@@ -108,7 +108,9 @@ fn a_dimensionless_stiffness_or_a_stress_gives_the_indentation() {
     assert_refused("--dimensionless-stiffness 1.4 --radius 0.03")
         .says(&["--dimensionless-stiffness is 1.4", "1.5 or more"]);
     assert_refused("--stress 2e5 --radius 0.03").says(&["--stress needs a load"]);
-    assert_refused("--stress 100 --radius 0.03 --load 50 --spheres 1").says(&["at most 1"]);
+    // 50/(100 π 0.03²) = 176.84; x/R is 1 at 50/(π 0.03²) = 17,684 N/m2.
+    assert_refused("--stress 100 --radius 0.03 --load 50 --spheres 1")
+        .says(&["mean stress of 100 N/m2 needs x/R = 176.838", "at most 1: give 17683.88"]);
     assert_refused("--stress 2e5 --indentation 0.1 --radius 0.03").says(&["--indentation", "--stress"]);
     // By Hertz, the peak is 2 E* sqrt(x/R)/pi: 300 kPa for these 200 kPa (mpmath).
     let sheet = design_sheet("--mass 62 --spheres 6 --radius 0.032 --stress 200000");

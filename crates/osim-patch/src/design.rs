@@ -18,6 +18,19 @@ use crate::plan::{Masses, NoteFacts, Plan};
 use crate::radii::{Radii, SphereRadiusRule};
 use crate::rules::{self, REMARK_PLACES_STAY, remark_on_equilibrium, remark_on_moved_bottoms};
 
+/// The relative indentation at which the mean contact stress is `stress_n_m2`, under a force on each sphere: (15) gives x̂ of a stress as
+/// it gives the stress of x̂.
+///
+/// # Errors
+/// Numbers outside the domain of (15), or spheres deeper than their radius.
+pub fn indentation_of_stress(stress_n_m2: f64, per_sphere_n: f64, radius_m: f64) -> Result<f64, String> {
+    let x = patch::mean_stress(per_sphere_n, radius_m, stress_n_m2).map_err(|error| error.to_string())?;
+    let [stress, depth, most] = [stress_n_m2, x, x * stress_n_m2].map(readable);
+    let text = format!("a mean stress of {stress} N/m2 needs x/R = {depth}, which is at most 1");
+    let text = format!("{text}: give {most} N/m2 or more, a larger radius or more spheres");
+    if x > 1.0 { Err(text) } else { Ok(x) }
+}
+
 /// How E₁* is determined: see [`Design`] for an example.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum DesignModulus {
@@ -342,9 +355,8 @@ impl Design {
                     return Err(Fault::new(MissingFact::Load));
                 };
                 let is_stress = matches!(modulus, DesignModulus::Stress(_));
-                // (15) gives x̂ of a stress as it gives the stress of x̂.
-                let stressed = || patch::mean_stress(load.per_sphere_n(), radius_m, x).map_err(Fault::new);
-                let x = if is_stress { stressed()? } else { x };
+                let stressed = || indentation_of_stress(x, load.per_sphere_n(), radius_m);
+                let x = if is_stress { stressed().map_err(Fault::refused)? } else { x };
                 let composite = dimensioned::composite_modulus(radius_m, x, load).map_err(Fault::new)?;
                 let composite = composite / speed_state;
                 let equation = match (is_stress, speed_state == 1.0) {

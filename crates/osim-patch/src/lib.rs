@@ -52,7 +52,7 @@ mod set;
 mod transfer;
 
 pub use crate::change::{ChangedBy, NumberChange, PlaceChange};
-pub use crate::design::{Design, DesignModulus, design};
+pub use crate::design::{Design, DesignModulus, design, indentation_of_stress};
 pub use crate::edit::{Edit, Patch, splice};
 pub use crate::note::{kept_note, note, note_of_remaining, note_stance_limbs};
 pub use crate::note_edits::StepDetails;

@@ -1,9 +1,10 @@
 //! The numbers that a design request without a model gives, before other numbers are computed from them.
 
 use contact_scaling::sizing::{KnownQuantities, Sizing, SizingError};
-use contact_scaling::{DomainError, SharedLoad, SmoothingValues, modulus, patch, restitution, smoothing};
+use contact_scaling::{DomainError, SharedLoad, SmoothingValues, modulus, restitution, smoothing};
 use osim_model::messages::{Input, Phrase, phrase, readable};
 use osim_model::{RadiusRule, Suspicion, YesQuestion};
+use osim_patch::indentation_of_stress;
 use osim_requests::options::AnswerOptions;
 use osim_requests::{
     Count, DesignRequest, Kilograms, PoissonRatio, Positive, Radius, RelativeIndentation, RequestFault,
@@ -126,10 +127,10 @@ impl DesignInputs {
         let load_n = load.or(weight);
         let indentation = match (request.stress.map(Positive::get), load_n.zip(spheres), radius_m) {
             (None, ..) => wanted.indentation.map(RelativeIndentation::get),
-            // (15) gives x/R of a stress as it gives the stress of x/R.
-            (Some(stress), Some((load, spheres)), Some(radius)) => {
-                Some(patch::mean_stress(load / spheres, radius, stress).map_err(domain_fault)?)
-            }
+            (Some(stress), Some((load, spheres)), Some(radius)) => Some(
+                indentation_of_stress(stress, load / spheres, radius)
+                    .map_err(|why| RequestFault::refused(Input::Stress, why))?,
+            ),
             (Some(_), ..) => {
                 let message = phrase![
                     "{} needs a load on a number of spheres, and {}";
