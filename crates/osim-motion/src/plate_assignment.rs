@@ -38,8 +38,8 @@ pub struct PlateAssignment {
 pub struct MeasuredForces {
     /// The foot on each plate.
     pub uses: Vec<PlateAssignment>,
-    /// The force for each foot and frame; `None` if a plate under the foot has no data, if the foot on a plate is not known,
-    /// or if the foot stands beside the plates.
+    /// The force for each foot and frame; `None` if a plate under the foot has no data, if the foot on a plate is not known, if no plate
+    /// is under the foot, or if the foot stands beside the plates.
     pub feet: Vec<Vec<Option<Wrench>>>,
     /// The number of frames in which each foot probably stands beside the plates.
     pub beside: Vec<usize>,
@@ -76,13 +76,21 @@ impl MeasuredForces {
             measured.add_plate(plate, usage, feet, states, weight_n);
         }
         measured.clear_frames_beside_plates(feet, states, weight_n);
+        let is_on_none =
+            |foot: &usize| !plates.iter().any(|plate| candidate_feet(plate, feet).contains(foot));
+        (0..feet.len()).filter(is_on_none).for_each(|foot| measured.feet[foot].fill(None));
         measured
     }
 
-    /// The longest run of frames in which the force under every foot is known.
+    /// The forces under the feet that are known in some frame.
+    pub(crate) fn of_known_feet(&self) -> Vec<&[Option<Wrench>]> {
+        self.feet.iter().map(Vec::as_slice).filter(|forces| forces.iter().any(Option::is_some)).collect()
+    }
+
+    /// The longest run of frames in which the force under every foot is known that is known in some frame.
     pub fn longest_known(&self) -> Range<usize> {
-        let is_known =
-            |frame: usize| self.feet.iter().all(|series| matches!(series.get(frame), Some(Some(_))));
+        let feet = self.of_known_feet();
+        let is_known = |frame: usize| feet.iter().all(|forces| matches!(forces.get(frame), Some(Some(_))));
         let (mut longest, mut first) = (0..0, 0);
         for frame in 0..self.total.len() {
             if !is_known(frame) {

@@ -125,11 +125,8 @@ pub fn mismatches(
             found.push(Mismatch::LengthUnit { foot, distance_m: own_m, of_places });
         }
     }
-    if found.is_empty() {
-        let kg = weight_n / DVec3::from(model.gravity_m_s2.unwrap_or_default()).length();
-        let centres_kg_m: Vec<DVec3> =
-            Masses::new(model)?.centre_along(recording).into_iter().map(|at| kg * at).collect();
-        let inertia_n = accelerations(&recording.time_s, &centres_kg_m);
+    // Without the force of each foot, the whole body's inertia explains nothing.
+    if found.is_empty() && measured.of_known_feet().len() == feet.len() {
         let force_n: Vec<Option<DVec3>> =
             measured.total.iter().map(|wrench| Some(wrench.as_ref()?.force_n)).collect();
         let late_s = delay_s(&recording.time_s, &inertia_n, &force_n);
