@@ -143,12 +143,10 @@ impl ContactStates {
     }
 
     /// The states of the same pairs along another motion.
-    pub(crate) fn along(
-        &self,
-        model: &Model,
-        recording: &Recording,
-        belt: &Belt,
-    ) -> Result<Self, StatesError> {
+    ///
+    /// # Errors
+    /// States that cannot be computed.
+    pub fn along(&self, model: &Model, recording: &Recording, belt: &Belt) -> Result<Self, StatesError> {
         Self::from_pairs(model, recording, (self.pairs.clone(), self.planes.clone()), belt, None)
     }
 

@@ -37,7 +37,15 @@ pub struct MotionResult {
     pub is_corrected: bool,
     /// Whether motion, contacts and plates agree, if the request wants a corrected motion.
     pub consistency: Option<Consistency>,
+    /// The velocity of a treadmill's belt that nobody gave, m/s: slip and lost energy are against it.
+    pub found_belt_m_s: Option<DVec3>,
 }
+
+/// If loaded feet are faster than this, m/s, they stand on a belt.
+const FASTEST_STANDING_FOOT_M_S: f64 = 0.4;
+
+/// The floor of a trial is at most this much higher or lower than in the model, m.
+const MOST_FLOOR_UP_M: f64 = 1.0;
 
 /// Computes the contacts along the motion.
 ///
@@ -102,6 +110,7 @@ pub(crate) fn run_opened(
         let judged = result.judge(request);
         result.consistency = Some(judged.map_err(|why| Failure::outside(motion.as_path(), "motion", why))?);
     }
+    result.find_belt();
     Ok(result)
 }
 
@@ -136,16 +145,41 @@ impl MotionResult {
         self.consistency.as_ref()?.correction.as_ref()
     }
 
+    pub(crate) fn feet(&self) -> Vec<Foot> {
+        self.summary.feet.iter().map(|foot| foot.foot.clone()).collect()
+    }
+
+    /// The mean velocity of standing feet along the floor, m/s.
+    fn standing_m_s(&self) -> DVec3 {
+        let slips: Vec<DVec3> = self.summary.feet.iter().filter_map(|foot| foot.stance_slip_m_s).collect();
+        slips.iter().sum::<DVec3>() / slips.len().max(1) as f64
+    }
+
+    /// Finds the velocity of the belt, if nobody gave it, and computes slip and lost energy against it.
+    fn find_belt(&mut self) {
+        let standing_m_s = self.correction().map_or_else(|| self.standing_m_s(), |one| one.belt_m_s);
+        let moves = standing_m_s.length() >= FASTEST_STANDING_FOOT_M_S;
+        self.found_belt_m_s = (self.belt.is_none() && moves).then_some(standing_m_s);
+        let Some(belt_m_s) = self.found_belt_m_s else { return };
+        let belt = Belt::Constant(belt_m_s);
+        let Ok(states) = self.states.along(&self.opened.model, &self.recording, &belt) else { return };
+        let feet = self.feet();
+        let on_belt = Summary::of(&states, &feet, self.measured.as_ref(), self.summary.weight_n);
+        for (foot, on_belt) in self.summary.feet.iter_mut().zip(on_belt.feet) {
+            foot.lost_in_stride_j = on_belt.lost_in_stride_j;
+            let spheres = foot.spheres.iter_mut().zip(on_belt.spheres);
+            spheres.for_each(|(sphere, on_belt)| sphere.slip_m_s = on_belt.slip_m_s);
+        }
+    }
+
     /// Corrects the motion and judges the correction.
     ///
     /// # Errors
     /// Why nothing can be judged.
     pub(crate) fn judge(&self, request: &MotionRequest) -> Result<Consistency, String> {
         let measured = self.measured.as_ref().ok_or("there are no force plates to compare with")?;
-        let feet: Vec<Foot> = self.summary.feet.iter().map(|foot| foot.foot.clone()).collect();
-        let slips: Vec<DVec3> = self.summary.feet.iter().filter_map(|foot| foot.stance_slip_m_s).collect();
-        let standing_m_s = slips.iter().sum::<DVec3>() / slips.len().max(1) as f64;
-        let options = correction_options(request, self.belt.clone(), standing_m_s);
+        let feet = self.feet();
+        let options = correction_options(request, self.belt.clone(), self.standing_m_s());
         let (contacts, plates) = ((&self.states, feet.as_slice()), (measured, self.summary.weight_n));
         Consistency::of(&self.opened.model, &self.recording, contacts, plates, &options, self.is_corrected)
     }
@@ -181,6 +215,7 @@ impl FollowedMotion {
             belt,
             is_corrected: false,
             consistency: None,
+            found_belt_m_s: None,
         }
     }
 }
