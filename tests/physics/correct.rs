@@ -199,6 +199,93 @@ fn wrong_plates_are_refused_by_name() {
     }
 }
 
+/// Right plates are never wrong: not in a window that is too short for a delay or for the height of a foot, and not beside another name.
+#[test]
+fn short_windows_accuse_nobody() {
+    let Some(dir) = subject("short windows", "smooth") else { return };
+    for (start, end) in [(2.207, 2.507), (0.907, 1.357), (1.467, 2.067)] {
+        let found = consistency(&dir, SUBJECT_CALL, &format!("--start {start} --end {end}"));
+        assert_ne!(found["verdict"], "disagree", "{found}");
+    }
+    let run = dir.run(&format!("{SUBJECT_CALL} --correct tiny.sto --start 1 --end 1.1"));
+    assert!(run.says(&["frames in common"]).wrote_nothing().status == Some(1));
+}
+
+/// What is said depends on what explains the data: a unit, an axis, a sign of one plate, and a delay that is given already.
+#[test]
+fn causes_are_those_that_explain_the_plates() {
+    let file = "subject01_walk1_grf.mot";
+    let Some(dir) = subject("causes of plates", "smooth") else { return };
+    let (plates, loads) = (dir.text(file), dir.text("subject01_walk1_grf.xml"));
+    let said = |column: &str, change_value: &dyn Fn(f64) -> f64, words: &[&str]| {
+        dir.write(file, &plates);
+        change(&dir, file, column, |value, _| change_value(value));
+        dir.run(&format!("{SUBJECT_CALL} --correct corrected.sto --force --format json"))
+            .says(words)
+            .says_not(&["kN", "large correction"]);
+    };
+    said("_v", &|force| force / 9.80665, &["body weights under load: are their forces in kgf or daN?"]);
+    said("l_ground_force_v", &|force| -force, &["forces under the left foot point down"]);
+    dir.write(file, &plates);
+    // Axes that are turned: y up in the file is z.
+    dir.write(file, plates.replace("_vy", "_vq").replace("_vz", "_vy").replace("_vq", "_vz"));
+    dir.run(&format!("{SUBJECT_CALL} --correct corrected.sto --format json"))
+        .says(&["lie along the floor"])
+        .says_not(&["kN"]);
+    // 50 ms are given already, and not there.
+    dir.write(file, &plates);
+    let found = consistency(&dir, SUBJECT_CALL, "--plates-delay 0.05");
+    let why = found["why"].as_str().unwrap();
+    let shift: f64 = why.split("--plates-delay ").nth(1).unwrap().split(' ').next().unwrap().parse().unwrap();
+    assert!(shift.abs() < 0.005, "{why}");
+    // Both plates on the right foot: no correction explains them.
+    dir.write("subject01_walk1_grf.xml", loads.replace("calcn_l", "calcn_r"));
+    let found = consistency(&dir, SUBJECT_CALL, "");
+    assert!(found["why"].as_str().unwrap().contains("do not agree after any correction"), "{found}");
+}
+
+/// A foot whose plate is not in the file was not measured: its force is not 0.
+#[test]
+fn a_foot_without_a_plate_is_not_compared() {
+    let Some(dir) = subject("a foot without a plate", "smooth") else { return };
+    let text = dir.text("subject01_walk1_grf.xml");
+    let end = text.rfind("<ExternalForce ").unwrap();
+    let close = end + text[end..].find("</ExternalForce>").unwrap() + "</ExternalForce>".len();
+    dir.write("subject01_walk1_grf.xml", format!("{}{}", &text[..end], &text[close..]));
+    let run = dir.run(&format!("{SUBJECT_CALL} --format json")).succeeded();
+    let feet = json_object(&run)["feet"].clone();
+    let known = feet
+        .as_array()
+        .unwrap()
+        .iter()
+        .filter(|foot| foot.get("comparison").is_some_and(|one| !one.is_null()));
+    assert_eq!(known.count(), 1, "{feet}");
+    dir.run(SUBJECT_CALL).says(&["left foot: its force is not known"]);
+}
+
+/// On a treadmill slip and lost energy are those of the same walk over ground: the root moves with the belt's speed, 1.15 m/s.
+#[test]
+fn slip_and_lost_energy_are_against_the_belt() {
+    let Some(dir) = subject("a belt that nobody gives", "smooth") else { return };
+    let lost = || {
+        let motion = json_object(&dir.run(&format!("{SUBJECT_CALL} --format json")).succeeded());
+        (number(&motion["feet"][0], "lost_in_stride_j"), motion["remarks"].to_string())
+    };
+    let (on_belt_j, said) = lost();
+    assert!(said.contains("as on a treadmill"), "{said}");
+    let table = dir.text("subject01_walk1_ik.mot");
+    let rows = table.split_once("endheader").unwrap().1.lines().skip(2);
+    let time = |row: &str| row.split_ascii_whitespace().next().unwrap().parse::<f64>().unwrap();
+    let (first, last) = (rows.clone().next().map(time).unwrap(), rows.last().map(time).unwrap());
+    change(&dir, "subject01_walk1_ik.mot", "pelvis_tx", |value, part| value + 1.15 * (last - first) * part);
+    let (over_ground_j, said) = lost();
+    assert!(!said.contains("as on a treadmill"), "{said}");
+    assert!(
+        (on_belt_j - over_ground_j).abs() < 0.1 * over_ground_j.abs() + 1.0,
+        "{on_belt_j} {over_ground_j}"
+    );
+}
+
 /// The spheres of the left foot are 30 mm too high or too low: it is said, and the motion is written all the same.
 #[test]
 fn a_foot_that_is_off_is_said() {

@@ -295,6 +295,9 @@ fn check_judges_contacts_by_a_recording() {
     let (_, verdict) = motion_verdict("walker.osim", "--motion walk.mot --plates kilonewtons.sto");
     let (sign, text) = verdict.unwrap();
     assert!(sign == "warning" && text.contains("are their forces in kN?"), "{text}");
+    dir.run("motion walker.osim walk.mot --plates kilonewtons.sto").succeeded().says(&["forces in kN?"]);
+    let fit = "fit walker.osim --motion walk.mot --plates kilonewtons.sto -o fitted.osim --force";
+    dir.run(fit).failed().says(&["are their forces in kN?"]).wrote_nothing();
     dir.write("words.sto", "nothing");
     assert_eq!(
         motion_verdict("walker.osim", "--motion words.sto --plates plates.sto").1.unwrap().0,

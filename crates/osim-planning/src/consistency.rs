@@ -1,6 +1,6 @@
 //! Whether a motion, the contacts of a model and force plates agree: by the least correction of the motion that makes them agree.
 
-use osim_model::messages::{Input, Phrase, phrase};
+use osim_model::messages::{Input, Phrase, Verb, phrase};
 use osim_model::{DVec3, Model};
 use osim_motion::correct::{
     Correction, CorrectionFigures, CorrectionOptions, FootErrors, ForceErrors, InverseDynamics, Mismatch,
@@ -19,8 +19,8 @@ pub struct MotionRemark {
 
 /// The value with two significant digits, or with all digits before the decimal point.
 pub(crate) fn two_digits(value: f64) -> String {
-    // Adding 0 removes the sign of a negative zero.
-    let value = value + 0.0;
+    // What has no digit here has no sign either.
+    let value = if value.abs() < 5e-10 { 0.0 } else { value };
     let digits = if value.abs() >= 10.0 || value == 0.0 { 0 } else { 1 - value.abs().log10().floor() as i32 };
     format!("{value:.*}", usize::try_from(digits.clamp(0, 9)).unwrap_or(0))
 }
@@ -61,29 +61,41 @@ impl Consistency {
         (states, feet): (&ContactStates, &[Foot]),
         (measured, weight_n): (&MeasuredForces, f64),
         options: &CorrectionOptions,
-        was_corrected: bool,
+        (was_corrected, given_delay_s): (bool, f64),
     ) -> Result<Self, String> {
+        let common = measured.total.iter().flatten().count();
+        if common < LEAST_FRAMES_IN_COMMON {
+            let frames = recording.frames();
+            return Err(format!(
+                "plates and motion have only {common} of {frames} frames in common: have their times the same unit and start?"
+            ));
+        }
         let seen = mismatches(model, recording, (states, feet), measured, weight_n);
         let seen = seen.map_err(|fault| fault.to_string())?;
         if let Some(cause) = seen.iter().find(|cause| cause.prevents_comparison()) {
-            let why = phrase!["contacts and plates do not agree: ", &cause_in_words(cause, feet)];
+            let why =
+                phrase!["contacts and plates do not agree: ", &cause_in_words(cause, feet, given_delay_s)];
             let remarks = vec![MotionRemark { code: "disagree", message: why.clone() }];
             return Ok(Consistency { verdict: MotionVerdict::Disagree, why, remarks, correction: None });
         }
         let correction = correct(model, recording, (states, feet), measured, weight_n, options)
             .map_err(|fault| fault.to_string())?;
         let (verdict, causes) = correction.figures.verdict(seen, options);
-        let why = verdict_in_words(verdict, &causes, feet, &correction);
+        let why = verdict_in_words(verdict, (&causes, given_delay_s), feet, &correction);
         let mut remarks = vec![MotionRemark { code: verdict.as_str(), message: why.clone() }];
         let corrected = || MotionRemark { code: "corrected", message: CORRECTED_ALREADY.into() };
         remarks.extend(was_corrected.then(corrected));
-        let horizontal = horizontal_error(&correction.figures);
+        // Smoothing does not help what is no goal.
+        let horizontal = horizontal_error(&correction.figures).filter(|_| !options.vertical_only);
         remarks.splice(0..0, horizontal.map(|message| MotionRemark { code: "horizontal-error", message }));
         let figures = figures_in_words(&correction);
         remarks.extend(figures.map(|text| MotionRemark { code: "consistency", message: text.into() }));
         Ok(Consistency { verdict, why, remarks, correction: Some(correction) })
     }
 }
+
+/// With fewer frames in common, plates and motion cannot be compared.
+const LEAST_FRAMES_IN_COMMON: usize = 10;
 
 /// Said of a motion that was corrected before.
 pub(crate) const CORRECTED_ALREADY: &str =
@@ -94,18 +106,24 @@ fn millimetres(length_m: f64) -> String {
 }
 
 /// Why contacts and plates disagree, in words.
-fn cause_in_words(cause: &Mismatch, feet: &[Foot]) -> Phrase {
+pub(crate) fn cause_in_words(cause: &Mismatch, feet: &[Foot], given_delay_s: f64) -> Phrase {
     let name = |foot: usize| feet.get(foot).map_or("foot", |foot| foot.name.as_str());
     let text = match *cause {
-        Mismatch::Sign => "the plates' forces point down: their sign has to change".to_owned(),
-        Mismatch::ForceUnit { mean_bw } => {
-            let (unit, mean) = (if mean_bw.abs() < 0.1 { "kN" } else { "pounds" }, two_digits(mean_bw));
+        Mismatch::Sign { foot } => {
+            let whose = foot.map_or_else(String::new, |foot| format!(" under the {}", name(foot)));
+            format!("the plates' forces{whose} point down: their sign has to change")
+        }
+        Mismatch::Axes => {
+            "the plates' forces lie along the floor: their axes are not those of the model".to_owned()
+        }
+        Mismatch::ForceUnit { mean_bw, unit } => {
+            let mean = two_digits(mean_bw);
             format!("the plates measure {mean} body weights under load: are their forces in {unit}?")
         }
-        Mismatch::LengthUnit { foot, distance_m, of_places } => {
-            let unit = if of_places { "points in mm" } else { "moments in N mm" };
+        Mismatch::Place { foot, distance_m, unit } => {
             let (foot, arm) = (name(foot), two_digits(distance_m));
-            format!("the force of the {foot} acts {arm} m from it: are the plates' {unit}?")
+            let asked = unit.map_or_else(String::new, |unit| format!(": are the plates' {unit}?"));
+            format!("the force of the {foot} acts {arm} m from it{asked}")
         }
         Mismatch::Swapped { foot, own_m, other, other_m } => {
             let (foot, own, other) = (name(foot), millimetres(own_m), name(other));
@@ -118,7 +136,8 @@ fn cause_in_words(cause: &Mismatch, feet: &[Foot]) -> Phrase {
             let (ms, when) = (1e3 * late_s.abs(), if late_s > 0.0 { "later" } else { "earlier" });
             let text =
                 format!("the plates are {ms:.0} ms {when} than the motion, by the inertia of the whole body");
-            let shift = Input::PlatesDelay.with_value(format!("{late_s:.3}"));
+            let shift_s = format!("{:.3}", late_s + given_delay_s);
+            let shift = Verb::Motion.call_with_model().with_value(Input::PlatesDelay, shift_s);
             return phrase![text, " (", shift, " removes it)"];
         }
         Mismatch::OneFoot { apart_m } => {
@@ -132,7 +151,7 @@ fn cause_in_words(cause: &Mismatch, feet: &[Foot]) -> Phrase {
 /// The verdict in a sentence.
 fn verdict_in_words(
     verdict: MotionVerdict,
-    causes: &[Mismatch],
+    (causes, given_delay_s): (&[Mismatch], f64),
     feet: &[Foot],
     correction: &Correction,
 ) -> Phrase {
@@ -144,15 +163,23 @@ fn verdict_in_words(
     let moves = format!("{moves}; the floor is {floor} {side} than in the model");
     let left = two_digits(figures.largest_of_feet(|foot| foot.after.vertical_bw));
     let large = "contacts and plates agree after a large correction only, as in half of all recordings";
+    let unexplained = "contacts and plates do not agree after any correction, and no cause is seen";
     match verdict {
         MotionVerdict::Agree => format!("contacts and plates agree: {moves}").into(),
-        MotionVerdict::LargeCorrection => {
-            format!("{large}: {moves}; the vertical force is off by {left} body weights").into()
-        }
+        MotionVerdict::LargeCorrection => match figures.unexplained_foot() {
+            Some(FootErrors { foot, after, null, .. }) => {
+                let [after, null] = [after, null].map(|errors| two_digits(errors.vertical_bw));
+                let off = format!(
+                    "the {foot}'s vertical force is off by {after} body weights ({null} if nothing touched)"
+                );
+                format!("{unexplained}: {off}; {moves}").into()
+            }
+            None => format!("{large}: {moves}; the vertical force is off by {left} body weights").into(),
+        },
         MotionVerdict::Disagree => {
             let mut text = Phrase::from("contacts and plates do not agree: ");
             for cause in causes {
-                text.push(&phrase![&cause_in_words(cause, feet), "; "]);
+                text.push(&phrase![&cause_in_words(cause, feet, given_delay_s), "; "]);
             }
             text.push(moves);
             text
@@ -168,7 +195,7 @@ pub(crate) fn horizontal_error(figures: &CorrectionFigures) -> Option<Phrase> {
     Some(phrase![
         "{}: its horizontal force is further from the plates ({} body weights) than if nothing touched ({}): smooth the motion, as with {}";
         foot.foot.clone(), two_digits(foot.after.horizontal_bw), two_digits(foot.null.horizontal_bw),
-        Input::LowPass.with_value("10")
+        Verb::Motion.call_with_model().with_value(Input::LowPass, "10")
     ])
 }
 

@@ -5,8 +5,8 @@ use std::path::Path;
 use osim_inspect::describe_unmatched_patterns;
 use osim_model::Finding;
 use osim_model::files::Files;
-use osim_model::messages::{Phrase, Verb, four_significant, listed, phrase, readable};
-use osim_motion::correct::MotionVerdict;
+use osim_model::messages::{Input, Phrase, Verb, counted, four_significant, listed, phrase, readable, shown};
+use osim_motion::correct::{MotionVerdict, mismatches};
 use osim_motion::{
     AngleUnit, AssignedBy, Comparison, FootSummary, LeftOutForces, Plate, PlateAssignment, PressureOnSole,
     SphereSummary, Summary, TOUCH_DOWN_BW,
@@ -14,12 +14,14 @@ use osim_motion::{
 use osim_requests::options::InspectionOptions;
 use osim_requests::{CheckRequest, MotionRequest, RequestError};
 
-use crate::consistency::{CORRECTED_ALREADY, MotionRemark, horizontal_error, two_digits};
+use crate::consistency::{CORRECTED_ALREADY, MotionRemark, cause_in_words, horizontal_error, two_digits};
 use crate::{MotionResult, rules, run_motion};
 
 /// If the mean force of the plates over whole strides differs from the model's weight by more than this (relative), plates and model do not
 /// belong together.
 const WEIGHT_TOLERANCE: f64 = 0.05;
+/// No subject has less than this part of the weight of its model.
+const LEAST_WEIGHT: f64 = 0.01;
 /// If the centres of pressure of model and plates differ by more than this along the foot, m, a remark says so.
 const DISPLACED_COP_M: f64 = 0.02;
 /// The largest number of names that a remark lists.
@@ -38,6 +40,14 @@ impl MotionResult {
         let mut remarks = RemarkList::default();
         if let Some(message) = weight_mismatch(&self.summary, self.mass_kg, self.gravity_m_s2) {
             remarks.add("subject-weight", message);
+        }
+        if let (None, Some(measured)) = (&self.consistency, &self.measured) {
+            let (feet, weight_n) = (self.feet(), self.summary.weight_n);
+            let contacts = (&self.states, feet.as_slice());
+            let seen = mismatches(&self.opened.model, &self.recording, contacts, measured, weight_n);
+            for cause in seen.unwrap_or_default().iter().filter(|cause| cause.prevents_comparison()) {
+                remarks.add("disagree", cause_in_words(cause, &feet, 0.0));
+            }
         }
         remarks.0.extend(self.consistency.iter().flat_map(|one| one.remarks.clone()));
         for foot in &self.summary.feet {
@@ -192,9 +202,13 @@ pub(crate) fn weight_mismatch(summary: &Summary, mass_kg: f64, gravity_m_s2: f64
     let part = mean_n / summary.weight_n;
     let (part_said, model, subject) =
         (two_digits(part), readable(mass_kg), four_significant(mean_n / gravity_m_s2));
-    let text =
-        format!("over whole strides the plates measured {part_said} of the model's weight: the model weighs");
-    let text = format!("{text} {model} kg, and the subject {subject} kg, unless a plate is missing");
+    let text = format!("over whole strides the plates measured {part_said} of the model's weight:");
+    let text = match part > LEAST_WEIGHT {
+        true => format!(
+            "{text} the model weighs {model} kg, and the subject {subject} kg, unless a plate is missing"
+        ),
+        false => format!("{text} are their forces in newtons, and do they point up?"),
+    };
     ((part - 1.0).abs() > WEIGHT_TOLERANCE).then_some(text)
 }
 
@@ -242,9 +256,13 @@ impl CheckedMotion {
     /// Whether the contacts of the model at `path` fit the recording: a sentence if they fit, a finding if not, or the reason why it is not
     /// known. With it a finding about horizontal forces, if there is one.
     pub(crate) fn answer(&self, path: &Path, files: &dyn Files) -> RecordingAnswer {
+        let mut weight = None;
         let judged = match self.follow(path, files) {
             Ok((result, _)) if result.is_corrected => Err(CORRECTED_ALREADY.into()),
-            Ok((result, _)) => result.judge(&MotionRequest::default()).map_err(Phrase::from),
+            Ok((result, _)) => {
+                weight = weight_mismatch(&result.summary, result.mass_kg, result.gravity_m_s2);
+                result.judge(&MotionRequest::default()).map_err(Phrase::from)
+            }
             Err(RequestError::Failure(failure)) => {
                 Err(phrase![failure.model.to_string(), ": ", &failure.message])
             }
@@ -252,9 +270,10 @@ impl CheckedMotion {
         };
         let correction = judged.as_ref().ok().and_then(|judged| judged.correction.as_ref());
         let remark = correction.and_then(|one| horizontal_error(&one.figures)).map(rules::horizontal_error);
-        let answer = judged.map(|judged| match judged.verdict {
-            MotionVerdict::Agree => Ok(judged.why),
-            verdict => Err(rules::unlike_recording(verdict == MotionVerdict::LargeCorrection, judged.why)),
+        let weight = weight.filter(|_| correction.is_some()).map(|text| text + "; ").unwrap_or_default();
+        let answer = judged.map(|judged| match (judged.verdict, phrase![weight, &judged.why]) {
+            (MotionVerdict::Agree, why) => Ok(why),
+            (verdict, why) => Err(rules::unlike_recording(verdict == MotionVerdict::LargeCorrection, why)),
         });
         (answer, remark)
     }

@@ -226,7 +226,7 @@ pub(crate) fn find_dissipation_forms(
 
 rule! { UNLIKE_RECORDING: UnlikeRecording, Warning, Recording;
     what: "Contacts, motion and force plates do not agree, and the reason is seen.",
-    why: "Feet are swapped, a unit or a sign is wrong, the plates are late or early, or one foot is higher than the other.",
+    why: "Feet are swapped, a unit, a sign or an axis is wrong, the plates are late or early, or one foot is higher than the other.",
     advice: "correct the cause that is named, before contacts or motion are changed",
     repair: Repair::NotPossible("the recording has to be corrected"),
     example: Example::Request { good: r#"{"verb": "check", "models": ["motion/walker.osim"]}"#,
@@ -234,7 +234,7 @@ rule! { UNLIKE_RECORDING: UnlikeRecording, Warning, Recording;
 }
 
 rule! { LARGE_CORRECTION: LargeCorrection, Remark, Recording;
-    what: "Contacts and force plates agree after a large correction of the motion only.",
+    what: "Contacts and force plates agree after a large correction of the motion only, or not even then.",
     why: "The smallest correction with which the contacts give the measured forces moves spheres by more than 12 mm, or leaves 0.1 body weights. Half of all measured recordings are so.",
     advice: "`motion MODEL correct=FILE`, with the motion and its plates, writes a corrected motion: a start for simulations",
     repair: Repair::NotPossible("the recording is as it is"),

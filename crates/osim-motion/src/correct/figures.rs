@@ -27,6 +27,10 @@ pub struct FootErrors {
     pub joint_rms_rad: f64,
     /// The force-weighted mean of the foot's vertical moves, without that of the floor, m.
     pub mean_lift_m: f64,
+    /// The force-weighted standard deviation of these moves, m.
+    pub lift_scatter_m: f64,
+    /// The time for which the plates carry the foot, s.
+    pub stance_s: f64,
 }
 
 /// The numbers by which the correction of a motion is judged, such as the move of the spheres.
@@ -56,6 +60,8 @@ impl CorrectionFigures {
         let mut lifts = Vec::new();
         let mut of_feet = Vec::new();
         let mut deepest: f64 = 0.0;
+        let time_s = &before.time_s;
+        let all_s = time_s.last().zip(time_s.first()).map_or(0.0, |(end, start)| end - start);
         for (number, (foot, plates)) in feet.iter().zip(&measured.feet).enumerate() {
             let has_points = measured.has_points.get(number) == Some(&true);
             let on = ComparisonPlane { normal, point_m, least_n: TOUCH_DOWN_BW * weight_n, has_points };
@@ -74,7 +80,7 @@ impl CorrectionFigures {
                 ForceErrors { vertical_bw, horizontal_bw }
             };
             let (mut squares, mut stance) = (vec![0.0; setting.coordinates.len()], 0.0);
-            let (mut moved, mut force_n) = (0.0, 0.0);
+            let (mut moved, mut moved_squares, mut force_n) = (0.0, 0.0, 0.0);
             for (frame, plate) in plates.iter().enumerate() {
                 if !plate.is_some_and(|plate| plate.force_n.dot(normal) > TOUCH_DOWN_BW * weight_n) {
                     continue;
@@ -91,10 +97,13 @@ impl CorrectionFigures {
                         let lift = (after.centre_m - before.centre_m).dot(normal) + floor_up_m;
                         lifts.push(lift.abs());
                         moved += lift * after.normal_force_n;
+                        moved_squares += lift * lift * after.normal_force_n;
                         force_n += after.normal_force_n;
                     }
                 }
             }
+            let mean = |sum: f64| if force_n > 0.0 { sum / force_n } else { 0.0 };
+            let mean_lift_m = mean(moved);
             let compared_after = compared(Some(after));
             let of_leg = setting.coordinates.iter().zip(squares).filter(|(coordinate, _)| {
                 let is_angle = coordinate.kind != CoordinateKind::Translational;
@@ -108,7 +117,9 @@ impl CorrectionFigures {
                 null: errors(&compared(None)),
                 cop_rms_m: compared_after.and_then(|compared| compared.cop_rms_m),
                 joint_rms_rad: if stance > 0.0 { f64::sqrt(largest / stance) } else { 0.0 },
-                mean_lift_m: if force_n > 0.0 { moved / force_n } else { 0.0 },
+                mean_lift_m,
+                lift_scatter_m: (mean(moved_squares) - mean_lift_m * mean_lift_m).max(0.0).sqrt(),
+                stance_s: stance / time_s.len() as f64 * all_s,
             });
         }
         let square: f64 = lifts.iter().map(|lift| lift * lift).sum();

@@ -15,12 +15,14 @@ use crate::{
 /// Why plates, motion and contacts do not go together.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Mismatch {
-    /// The plates' forces point down.
-    Sign,
-    /// The plates' mean force under load, in body weights: about 0.001 for kN, 0.22 for pounds.
-    ForceUnit { mean_bw: f64 },
-    /// The centre of pressure is this far from the foot, or moments have this arm, m: places are in mm, or moments in N mm.
-    LengthUnit { foot: usize, distance_m: f64, of_places: bool },
+    /// The plates' forces point down: those of one foot, or of all.
+    Sign { foot: Option<usize> },
+    /// The plates' forces lie along the floor.
+    Axes,
+    /// The plates' mean force under load, in body weights, and the unit that explains it.
+    ForceUnit { mean_bw: f64, unit: &'static str },
+    /// The centre of pressure is this far from the foot, or moments have this arm, m; and the unit that explains it, if one does.
+    Place { foot: usize, distance_m: f64, unit: Option<&'static str> },
     /// The centre of pressure is nearer to another foot.
     Swapped { foot: usize, own_m: f64, other: usize, other_m: f64 },
     /// The plates are late by this time, s.
@@ -29,14 +31,20 @@ pub enum Mismatch {
     OneFoot { apart_m: f64 },
 }
 
-/// A mean force of the plates under load below this, in body weights, is in kilonewtons.
-const KILONEWTON_FORCE_BW: f64 = 0.01;
-/// A mean force of the plates under load between these, in body weights, is in pounds, if the feet never stand beside the plates.
-const POUND_FORCES_BW: (f64, f64) = (0.12, 0.4);
-/// A centre of pressure that is farther from its foot is in a wrong unit, m.
+/// Units of force, with their number in a newton, and the largest factor between measured and needed forces that they explain. Nothing
+/// else makes forces as small as kilonewtons do.
+const FORCE_UNITS: [(&str, f64, f64); 3] =
+    [("kN", 1e-3, 3.0), ("pounds", 0.2248, 1.25), ("kgf or daN", 0.101, 1.25)];
+/// In all these units, forces under load are smaller on average, body weights.
+const LARGEST_IN_ANOTHER_UNIT_BW: f64 = 0.5;
+/// The largest arm of the moment about a centre of pressure that N mm explain, m.
+const MOST_ARM_IN_N_MM_M: f64 = 50.0;
+/// A centre of pressure that is farther from its foot is in a wrong place, m.
 const LARGEST_PRESSURE_DISTANCE_M: f64 = 0.5;
 /// A centre of pressure that is farther from its foot belongs to another, if that is as near, m.
 const SWAPPED_FOOT_DISTANCE_M: f64 = 0.1;
+/// Forces lie along the floor, or point down, by this part of their size.
+const LARGER_PART: f64 = 0.5;
 /// A plate is under load above this part of its largest force.
 const LOADED_SHARE: f64 = 0.2;
 /// The largest delay of the plates that is looked for, s.
@@ -48,6 +56,9 @@ const SMOOTHING_S: f64 = 0.012;
 /// The least correlation of inertia and force, and the least share of the force in the inertia, that show a delay. They are lower
 /// where steps are not on the plates, and where the motion jerks.
 const LEAST_INERTIA: f64 = 0.5;
+
+/// The least logarithm of the likelihood, times 2, by which a delay explains more than none: 3 standard deviations.
+const LEAST_GAIN: f64 = 9.0;
 
 impl Mismatch {
     /// Whether plates and motion cannot be compared at all.
@@ -67,24 +78,36 @@ pub fn mismatches(
     measured: &MeasuredForces,
     weight_n: f64,
 ) -> Result<Vec<Mismatch>, StatesError> {
-    let first = feet.first().and_then(|foot| states.frame(0).get(*foot.pairs.first()?));
-    let Some(first) = first else { return Ok(Vec::new()) };
-    let (normal, on_floor_m) = (first.normal, first.centre_m);
+    let first = feet.first().and_then(|foot| foot.pairs.first()).and_then(|&pair| {
+        let state = states.frame(0).get(pair)?;
+        Some((state.normal, state.on_surface_m(states.pairs.get(pair)?.radius_m)))
+    });
+    let Some((normal, on_floor_m)) = first else { return Ok(Vec::new()) };
     let along = |wrench: &Wrench| wrench.force_n.dot(normal);
-    let total: Vec<f64> =
-        measured.total.iter().map(|wrench| wrench.as_ref().map_or(f64::NAN, along)).collect();
-    let largest = total.iter().fold(0.0_f64, |most, force| most.max(force.abs()));
-    let loaded = || total.iter().filter(|force| force.abs() > LOADED_SHARE * largest);
-    let mean_bw = loaded().sum::<f64>() / loaded().count().max(1) as f64 / weight_n;
-    let size = mean_bw.abs();
-    let is_complete = measured.beside.iter().all(|&frames| frames == 0);
-    if size > 0.0 && size < KILONEWTON_FORCE_BW
-        || is_complete && (POUND_FORCES_BW.0..POUND_FORCES_BW.1).contains(&size)
-    {
-        return Ok(vec![Mismatch::ForceUnit { mean_bw }]);
+    let kg = weight_n / DVec3::from(model.gravity_m_s2.unwrap_or_default()).length();
+    let centres_kg_m: Vec<DVec3> =
+        Masses::new(model)?.centre_along(recording).into_iter().map(|at| kg * at).collect();
+    let inertia_n = accelerations(&recording.time_s, &centres_kg_m);
+    let total = LoadedForces::of(&measured.total, normal);
+    if total.across_n < LARGER_PART * total.size_n {
+        return Ok(vec![Mismatch::Axes]);
     }
-    if mean_bw < 0.0 {
-        return Ok(vec![Mismatch::Sign]);
+    let needed_n = |frame: &usize| weight_n + inertia_n[*frame].map_or(0.0, |force_n| force_n.dot(normal));
+    let needed_n: f64 = total.frames.iter().map(needed_n).sum();
+    let mean_bw = total.across_n / total.frames.len().max(1) as f64 / weight_n;
+    let is_complete = measured.beside.iter().all(|&frames| frames == 0);
+    let unit = unit_of_forces(total.across_n / needed_n, weight_n, is_complete);
+    if let Some(unit) = unit.filter(|_| mean_bw < LARGEST_IN_ANOTHER_UNIT_BW) {
+        return Ok(vec![Mismatch::ForceUnit { mean_bw, unit }]);
+    }
+    let of_feet = measured.feet.iter().map(|forces| LoadedForces::of(forces, normal)).enumerate();
+    let (down, up): (Vec<_>, Vec<_>) = of_feet
+        .filter(|(_, forces)| forces.largest_n > LOADED_SHARE * total.largest_n)
+        .partition(|(_, forces)| forces.points_down());
+    match down.as_slice() {
+        &[(foot, _)] if !up.is_empty() => return Ok(vec![Mismatch::Sign { foot: Some(foot) }]),
+        down if !down.is_empty() || total.points_down() => return Ok(vec![Mismatch::Sign { foot: None }]),
+        _ => {}
     }
     // The median over stance of a number of the centre of pressure of one foot, with its force along the normal.
     let median = |foot: usize, number: &dyn Fn(usize, CentreOfPressure, f64) -> f64| {
@@ -107,7 +130,8 @@ pub fn mismatches(
     for foot in (0..feet.len()).filter(|&foot| measured.has_points.get(foot) == Some(&true)) {
         let arm_m = median(foot, &|_, centre, force_n| (centre.free_moment_n_m / force_n).abs());
         if let Some(distance_m) = arm_m.filter(|arm_m| *arm_m > LARGEST_PRESSURE_DISTANCE_M) {
-            found.push(Mismatch::LengthUnit { foot, distance_m, of_places: false });
+            let unit = (distance_m < MOST_ARM_IN_N_MM_M).then_some("moments in N mm");
+            found.push(Mismatch::Place { foot, distance_m, unit });
             continue;
         }
         let Some(own_m) = distance_m(foot, foot, 1.0).filter(|own_m| *own_m > SWAPPED_FOOT_DISTANCE_M) else {
@@ -120,9 +144,10 @@ pub fn mismatches(
         if let Some((other, other_m)) = near {
             found.push(Mismatch::Swapped { foot, own_m, other, other_m });
         } else if own_m > LARGEST_PRESSURE_DISTANCE_M {
-            let of_places =
-                distance_m(foot, foot, 1e-3).is_some_and(|scaled_m| scaled_m < LARGEST_PRESSURE_DISTANCE_M);
-            found.push(Mismatch::LengthUnit { foot, distance_m: own_m, of_places });
+            let scaled_m = distance_m(foot, foot, 1e-3);
+            let is_near = scaled_m.is_some_and(|scaled_m| scaled_m < SWAPPED_FOOT_DISTANCE_M);
+            let unit = is_near.then_some("points in mm, or moments about a fixed point in N mm");
+            found.push(Mismatch::Place { foot, distance_m: own_m, unit });
         }
     }
     // Without the force of each foot, the whole body's inertia explains nothing.
@@ -134,6 +159,41 @@ pub fn mismatches(
         found.extend(late_s.map(|late_s| Mismatch::Delay { late_s }));
     }
     Ok(found)
+}
+
+/// The forces of plates in the frames with more than a small part of the largest.
+struct LoadedForces {
+    frames: Vec<usize>,
+    largest_n: f64,
+    /// The sums of the sizes of the forces, of their sizes along the normal of the floor, and of the forces along it.
+    size_n: f64,
+    across_n: f64,
+    up_n: f64,
+}
+
+impl LoadedForces {
+    fn of(forces: &[Option<Wrench>], normal: DVec3) -> Self {
+        let size = |frame: usize| forces[frame].map_or(0.0, |wrench| wrench.force_n.length());
+        let largest_n = (0..forces.len()).map(size).fold(0.0, f64::max);
+        let frames: Vec<usize> =
+            (0..forces.len()).filter(|&frame| size(frame) > LOADED_SHARE * largest_n).collect();
+        let up = || frames.iter().filter_map(|&frame| Some(forces[frame]?.force_n.dot(normal)));
+        let (up_n, across_n) = (up().sum(), up().map(f64::abs).sum());
+        Self { size_n: frames.iter().map(|&frame| size(frame)).sum(), largest_n, across_n, up_n, frames }
+    }
+
+    fn points_down(&self) -> bool {
+        self.up_n < -LARGER_PART * self.across_n
+    }
+}
+
+/// The unit of forces that are `share` of what the motion needs. If forces are missing, only a very small share shows a unit.
+fn unit_of_forces(share: f64, weight_n: f64, is_complete: bool) -> Option<&'static str> {
+    let is_near = |factor: f64, within: f64| (1.0 / within..within).contains(&(share / factor));
+    let mut units = FORCE_UNITS.iter().filter(|(_, factor, _)| is_complete || *factor < 0.01);
+    let &(unit, ..) = units.find(|(_, factor, within)| is_near(*factor, *within))?;
+    let in_weights = unit == FORCE_UNITS[0].0 && is_near(1.0 / weight_n, 1.25);
+    Some(if in_weights { "kN or body weights" } else { unit })
 }
 
 /// The distance along the floor from a point to the segment between the two spheres that are farthest apart.
@@ -217,7 +277,12 @@ fn delay_s(time_s: &[f64], inertia_n: &[Option<DVec3>], force_n: &[Option<DVec3>
     let [before, here, after] = [all.get(best.checked_sub(1)?)?.0, all[best].0, all.get(best + 1)?.0];
     let bend = before - 2.0 * here + after;
     let part = if bend < 0.0 { (before - after) / (2.0 * bend) } else { 0.0 };
-    (here.min(all[best].1) > LEAST_INERTIA).then_some((best as f64 - most as f64 + part) * step_s)
+    // The logarithm of the part of the force that is unexplained without the shift, over that with it, for each independent time.
+    let unexplained = |at: usize| 1.0 - all[at].0 * all[at].0;
+    let independent = known as f64 * step_s / (2.0 * std::f64::consts::PI.sqrt() * SMOOTHING_S);
+    let gain = independent * libm::log(unexplained(most) / unexplained(best));
+    (here.min(all[best].1) > LEAST_INERTIA && (best == most || gain > LEAST_GAIN))
+        .then_some((best as f64 - most as f64 + part) * step_s)
 }
 
 named! {
@@ -231,8 +296,16 @@ named! {
 
 /// The largest error of the vertical force with which contacts and plates agree, body weights.
 const MOST_VERTICAL_BW: f64 = 0.1;
+/// The largest error of the vertical force as a share of that of a model that never touches, with which the contacts explain a force.
+const MOST_SHARE_OF_NULL: f64 = 0.5;
+/// An error of the vertical force that is too small to say anything, body weights.
+const SMALL_VERTICAL_BW: f64 = 0.02;
 /// The largest vertical move of spheres that agrees (of 95 % of them), as a multiple of a usual error of places.
 const MOST_LIFT: f64 = 2.0;
+/// A foot that the plates carry for a shorter time, s, hardly shows its height.
+const LEAST_STANCE_S: f64 = 0.3;
+/// It shows it only by a lift larger than this multiple of the lift's scatter.
+const LEAST_LIFT_IN_SCATTERS: f64 = 5.0;
 /// If one foot is lifted more than the other by this multiple of a usual error of places, the feet do not agree.
 const MOST_DIFFERENCE_OF_FEET: f64 = 2.5;
 
@@ -250,6 +323,19 @@ impl CorrectionFigures {
         self.feet.iter().map(figure).fold(0.0, f64::max)
     }
 
+    /// The first foot whose vertical force the corrected motion hardly explains better than a model that never touches.
+    pub fn unexplained_foot(&self) -> Option<&FootErrors> {
+        let most_bw = |foot: &FootErrors| (MOST_SHARE_OF_NULL * foot.null.vertical_bw).max(SMALL_VERTICAL_BW);
+        self.feet.iter().find(|foot| foot.after.vertical_bw > most_bw(foot))
+    }
+
+    /// Whether each foot is loaded long enough, or moves alike enough, to show that it is off by `apart_m`.
+    fn shows_height(&self, apart_m: f64) -> bool {
+        self.feet.iter().all(|foot| {
+            foot.stance_s >= LEAST_STANCE_S || apart_m > LEAST_LIFT_IN_SCATTERS * foot.lift_scatter_m
+        })
+    }
+
     /// The verdict, with what is wrong: the `causes` that were seen before, and one foot that is off.
     pub fn verdict(
         &self,
@@ -258,9 +344,11 @@ impl CorrectionFigures {
     ) -> (MotionVerdict, Vec<Mismatch>) {
         let apart_m = self
             .difference_of_feet_m()
+            .filter(|apart_m| self.unexplained_foot().is_none() && self.shows_height(apart_m.abs()))
             .filter(|apart_m| apart_m.abs() > MOST_DIFFERENCE_OF_FEET * options.length_m);
         causes.extend(apart_m.map(|apart_m| Mismatch::OneFoot { apart_m }));
-        let agrees = self.largest_of_feet(|foot| foot.after.vertical_bw) <= MOST_VERTICAL_BW
+        let agrees = self.unexplained_foot().is_none()
+            && self.largest_of_feet(|foot| foot.after.vertical_bw) <= MOST_VERTICAL_BW
             && self.lift_p95_m <= MOST_LIFT * options.length_m;
         let verdict = match (causes.is_empty(), agrees) {
             (false, _) => MotionVerdict::Disagree,
@@ -274,6 +362,7 @@ impl CorrectionFigures {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::correct::figures::ForceErrors;
 
     /// The delay that is found where the force is late by `late_s`, and the motion shows a share of the inertia.
     fn delay_of(late_s: f64, inertia_share: f64) -> Option<f64> {
@@ -299,6 +388,71 @@ mod tests {
     #[test]
     fn inertia_that_does_not_explain_the_force_shows_no_delay() {
         assert_eq!(delay_of(0.05, 0.1), None);
+    }
+
+    /// 80 kg weigh 784.5 N; a newton is 0.001 kN, 0.2248 pounds, 0.102 kgf or 0.1 daN.
+    #[test]
+    fn a_unit_is_named_if_its_factor_explains_the_forces() {
+        let unit = |share: f64| unit_of_forces(share, 700.0, true);
+        assert_eq!([0.001, 0.0004, 0.003 / 1.1].map(unit), [Some("kN"); 3]);
+        assert_eq!(unit(1.0 / 700.0), Some("kN or body weights"));
+        assert_eq!([0.2248, 0.19, 0.27].map(unit), [Some("pounds"); 3]);
+        assert_eq!([0.102, 0.1].map(unit), [Some("kgf or daN"); 2]);
+        // A child in the model of an adult, half a body, another subject.
+        assert_eq!([0.36, 0.5, 1.0, 2.0, 0.0].map(unit), [None; 5]);
+        assert_eq!(unit_of_forces(0.2248, 700.0, false), None);
+        assert_eq!(unit_of_forces(0.001, 700.0, false), Some("kN"));
+    }
+
+    #[test]
+    fn forces_point_down_or_lie_along_the_floor() {
+        let of = |forces: [DVec3; 3]| {
+            let wrench = |force_n| Some(Wrench { force_n, moment_n_m: DVec3::ZERO });
+            LoadedForces::of(&forces.map(wrench), DVec3::Y)
+        };
+        let up = DVec3::new(30.0, 700.0, 0.0);
+        let down = of([-up, -up, DVec3::Y]);
+        assert!(down.points_down() && down.frames == [0, 1], "{:?}", down.frames);
+        assert!(!of([up, up, -up]).points_down() && !of([up, -up, DVec3::ZERO]).points_down());
+        let lying = of([DVec3::new(30.0, 50.0, 700.0); 3]);
+        assert!(lying.across_n < LARGER_PART * lying.size_n);
+    }
+
+    fn figures(
+        after_bw: f64,
+        null_bw: f64,
+        apart_m: f64,
+        (stance_s, lift_scatter_m): (f64, f64),
+    ) -> CorrectionFigures {
+        let errors = |vertical_bw| ForceErrors { vertical_bw, horizontal_bw: 0.0 };
+        let foot = |mean_lift_m| FootErrors {
+            foot: "foot".to_owned(),
+            before: errors(1.0),
+            after: errors(after_bw),
+            null: errors(null_bw),
+            cop_rms_m: None,
+            joint_rms_rad: 0.01,
+            mean_lift_m,
+            lift_scatter_m,
+            stance_s,
+        };
+        let feet = vec![foot(0.0), foot(apart_m)];
+        CorrectionFigures { feet, lift_rms_m: 0.005, lift_p95_m: 0.01, largest_relative_indentation: 0.5 }
+    }
+
+    #[test]
+    fn only_what_is_better_than_nothing_agrees() {
+        let verdict =
+            |figures: &CorrectionFigures| figures.verdict(Vec::new(), &CorrectionOptions::default()).0;
+        let whole = (1.0, 0.007);
+        assert_eq!(verdict(&figures(0.03, 0.7, 0.0, whole)), MotionVerdict::Agree);
+        // In kgf the plates have 0.07 body weights, and so has a model that never touches.
+        let kilograms = figures(0.07, 0.07, 0.03, whole);
+        assert_eq!(verdict(&kilograms), MotionVerdict::LargeCorrection);
+        assert!(kilograms.unexplained_foot().is_some());
+        assert_eq!(verdict(&figures(0.03, 0.7, 0.018, whole)), MotionVerdict::Disagree);
+        assert_eq!(verdict(&figures(0.03, 0.7, 0.018, (0.2, 0.007))), MotionVerdict::Agree);
+        assert_eq!(verdict(&figures(0.03, 0.7, 0.03, (0.1, 0.001))), MotionVerdict::Disagree);
     }
 
     #[test]

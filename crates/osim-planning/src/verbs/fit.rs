@@ -10,6 +10,7 @@ use osim_model::{
     Assignment, Fault, FaultKind, HalfSpace, Mass, MassSource, Model, Property, Selected, SphereId,
     Suspicion, YesQuestion,
 };
+use osim_motion::correct::mismatches;
 use osim_motion::fit::{FitBounds, FitError, FitTrial, FittedParameter, FootForces, MotionFit, fit_motion};
 use osim_motion::{
     Belt, ContactStates, Foot, FootSummary, MeasuredForces, Recording, RecordingOptions, StatesError,
@@ -20,7 +21,7 @@ use osim_requests::options::{AnswerOptions, InspectionOptions};
 use osim_requests::{FitRequest, FittedChoice, HeightChoice, MotionRequest, RequestError, RequestFault};
 
 use super::fit_remarks::{parameter_in_words, remarks};
-use crate::consistency::MotionRemark;
+use crate::consistency::{MotionRemark, cause_in_words};
 use crate::motion::{
     FollowedMotion, MotionResult, PlatesRead, belt_of_motion, mass_and_gravity, read_motion,
     recording_options,
@@ -141,6 +142,12 @@ impl FitPlanner {
     ) -> Result<TrialStates, Fault> {
         let (recording, states, feet) = self.follow_trial(trial, model, selected)?;
         let measured = MeasuredForces::of(&trial.plates.plates, &feet, &states, weight_n);
+        let seen = mismatches(model, &recording, (&states, &feet), &measured, weight_n)
+            .map_err(|error| fault_of_states(&trial.name, error))?;
+        if let Some(cause) = seen.iter().find(|cause| cause.prevents_comparison()) {
+            let cause = cause_in_words(cause, &feet, 0.0);
+            return Err(Fault::refused(format!("{}: {cause}", trial.name)));
+        }
         let summary = Summary::of(&states, &feet, Some(&measured), weight_n);
         let (parts, can_move) = ((feet.as_slice(), &measured), self.bounds.spheres_move);
         let first = first.map(|first| &first.trial);
