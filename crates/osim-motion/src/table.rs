@@ -26,6 +26,8 @@ pub struct Table {
     pub corrected: bool,
     /// The line of each row in the file, from 1.
     pub lines: Vec<usize>,
+    /// The lines of rows that were left out, because they repeat the row before them.
+    pub repeated: Vec<usize>,
 }
 
 /// A column of a motion file.
@@ -153,8 +155,13 @@ impl Table {
         }
         let mut columns: Vec<Column> = names.map(|name| Column { name, values: Vec::new() }).collect();
         let (mut time_s, mut numbers) = (Vec::new(), Vec::new());
+        let mut before = "";
         for (index, line) in lines {
             let number = index + 1;
+            if std::mem::replace(&mut before, line) == line {
+                self.repeated.push(number);
+                continue;
+            }
             let mut cells = line.split_ascii_whitespace();
             let time = cells.next().unwrap_or_default();
             time_s.push(parse_number(time, "time", number)?);
@@ -335,7 +342,7 @@ mod tests {
     }
 
     #[test]
-    fn errors_in_a_table_have_their_line() {
+    fn errors_and_repeated_rows_have_their_line() {
         let head = "endheader\ntime x\n";
         assert_eq!(error_of_table("time x\n0 1\n").0, None);
         assert_eq!(error_of_table("endheader\nt x\n0 1\n").0, Some(2));
@@ -357,6 +364,12 @@ mod tests {
         assert_eq!(error_of_table(&format!("{head}nan 2\n")).0, Some(3));
         assert_eq!(error_of_table(head).0, None);
         assert_eq!(error_of_table("").0, None);
+        let table = Table::read(format!("{head}0 1\n0 1\n1 1\n2 nan\n2 nan\n").as_bytes()).unwrap();
+        assert_eq!(
+            (table.time_s.as_slice(), table.lines.as_slice()),
+            ([0.0, 1.0, 2.0].as_slice(), [3, 5, 6].as_slice())
+        );
+        assert_eq!((table.columns[0].values.len(), table.repeated.as_slice()), (3, [4, 7].as_slice()));
         let table = Table::read(format!("{head}0 nan\n").as_bytes()).unwrap();
         assert_eq!(table.check_finite(&table.columns[0]).unwrap_err().line, Some(3));
     }

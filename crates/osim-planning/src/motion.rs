@@ -35,6 +35,8 @@ pub struct MotionResult {
     pub belt: Option<Belt>,
     /// Whether the motion was corrected to contacts.
     pub is_corrected: bool,
+    /// The lines of rows of the motion that were left out, because they repeat the row before them.
+    pub repeated_rows: Vec<usize>,
     /// Whether motion, contacts and plates agree, if the request wants a corrected motion.
     pub consistency: Option<Consistency>,
     /// The velocity of a treadmill's belt that nobody gave, m/s: slip and lost energy are against it.
@@ -105,7 +107,7 @@ pub(crate) fn run_opened(
         let why = format!("it has {what}: correct the table");
         return Err(Failure::outside(read.file.as_path(), "motion", why).into());
     }
-    result.is_corrected = table.corrected;
+    (result.is_corrected, result.repeated_rows) = (table.corrected, table.repeated);
     if request.correct.is_some() {
         let judged = result.judge(request);
         result.consistency = Some(judged.map_err(|why| Failure::outside(motion.as_path(), "motion", why))?);
@@ -215,6 +217,7 @@ impl FollowedMotion {
             gravity_m_s2,
             belt,
             is_corrected: false,
+            repeated_rows: Vec::new(),
             consistency: None,
             found_belt_m_s: None,
         }
@@ -247,6 +250,8 @@ pub struct PlatesRead {
     pub plates: Vec<Plate>,
     /// Intervals of time for which the table has no rows.
     pub gaps: Vec<Gap>,
+    /// The lines of rows that were left out, because they repeat the row before them.
+    pub repeated_rows: Vec<usize>,
 }
 
 impl PlatesRead {
@@ -264,18 +269,18 @@ impl PlatesRead {
         if let Some(delay_s) = delay_s {
             table.time_s.iter_mut().for_each(|time_s| *time_s -= delay_s.get());
         }
-        let gaps = table.gaps();
+        let (gaps, repeated_rows) = (table.gaps(), std::mem::take(&mut table.repeated));
+        let file = file.to_owned();
         let Some(path) = loads else {
-            let plates = Plate::from_columns(&table).map_err(|fault| failure(file, &fault))?;
-            return Ok(Self { file: file.to_owned(), loads: None, other_data_file: None, plates, gaps });
+            let plates = Plate::from_columns(&table).map_err(|fault| failure(&file, &fault))?;
+            return Ok(Self { file, loads: None, other_data_file: None, plates, gaps, repeated_rows });
         };
         let loads = ExternalLoads::read(&read(path, files)?).map_err(|fault| failure(path, &fault))?;
-        let plates = Plate::from_loads(&table, &loads).map_err(|fault| failure(file, &fault))?;
+        let plates = Plate::from_loads(&table, &loads).map_err(|fault| failure(&file, &fault))?;
         let own_name = file.file_name().map(|name| name.to_string_lossy().into_owned());
-        let other =
+        let other_data_file =
             loads.data_file_name().map(str::to_owned).filter(|named| Some(named) != own_name.as_ref());
-        let (file, loads) = (file.to_owned(), Some(path.to_owned()));
-        Ok(Self { file, loads, other_data_file: other, plates, gaps })
+        Ok(Self { file, loads: Some(path.to_owned()), other_data_file, plates, gaps, repeated_rows })
     }
 
     /// A remark about missing rows between the first and the last of the times `time_s`; `None` if no rows are missing.

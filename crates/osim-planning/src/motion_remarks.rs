@@ -133,6 +133,16 @@ impl MotionResult {
             let text = "the header does not say the unit of angles; they are taken for";
             remarks.add("undeclared-angles", format!("{text} {unit}, as OpenSim does"));
         }
+        if let Some(belt_m_s) = self.found_belt_m_s {
+            let speed = format!("{:.2}", belt_m_s.length());
+            let text = phrase![
+                "standing feet move at {} m/s, as on a treadmill: slip and lost energy are against a belt at this speed, \
+                as with {}";
+                speed.clone(), Input::Belt.with_value(speed)
+            ];
+            remarks.add("treadmill", text);
+        }
+        remarks.add_repeated_rows(&self.motion.to_string(), &self.repeated_rows);
         if let Some(left_out) = LeftOutForces::of(&self.states) {
             let text = format!(
                 "in {} frames a sphere of a HuntCrossleyForce leaves the floor so fast that it would pull. OpenSim may then leave out \
@@ -177,6 +187,15 @@ impl MotionResult {
                 plate.plate
             ));
         }
+        let is_unmeasured = |foot: &&FootSummary| {
+            foot.comparison.is_none() && !measured.uses.iter().any(|plate| plate.by.is_none())
+        };
+        for foot in self.summary.feet.iter().filter(is_unmeasured) {
+            let text = "its force is not known, and is not compared: no plate is under it";
+            remarks.add("foot-without-plate", format!("{}: {text}", foot.foot.name));
+        }
+        let name = read.file.file_name().unwrap_or_default().to_string_lossy();
+        remarks.add_repeated_rows(&name, &read.repeated_rows);
         let has_no_points =
             |(plate, one): (&Plate, &PlateAssignment)| !plate.has_points && one.by != Some(AssignedBy::Idle);
         if read.plates.iter().zip(&measured.uses).any(has_no_points) {
@@ -193,6 +212,14 @@ struct RemarkList(Vec<MotionRemark>);
 impl RemarkList {
     fn add(&mut self, code: &'static str, message: impl Into<Phrase>) {
         self.0.push(MotionRemark { code, message: message.into() });
+    }
+
+    /// Adds a remark if rows of a file were left out, because they repeat the row before them.
+    fn add_repeated_rows(&mut self, file: &str, lines: &[usize]) {
+        let Some(first) = lines.first() else { return };
+        let (file, rows) = (shown(file), counted(lines.len(), "row"));
+        let text = format!("{file}: {rows} left out that repeat the row before (first: line {first})");
+        self.add("repeated-rows", text);
     }
 }
 
