@@ -66,6 +66,10 @@ pub(crate) fn run_opened(
     files: &dyn Files,
 ) -> Result<MotionResult, RequestError> {
     let Some(motion) = &request.motion else { return Err(RequestFault::Missing { field: "motion" }.into()) };
+    if request.floor.is_some_and(|up| up.get().abs() > MOST_FLOOR_UP_M) {
+        let why = phrase![Input::Floor, " is in metres, and at most 1: is it in mm?"];
+        return Err(RequestFault::refused(Input::Floor, why).into());
+    }
     let options = recording_options(motion, request.angles, request.low_pass);
     let table = read_motion(motion, (request.start, request.end), files)?;
     let recording =
