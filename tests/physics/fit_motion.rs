@@ -320,7 +320,8 @@ fn fit_of_a_measured_gait_reaches_the_documented_error() {
     );
     let remarks = plan["remarks"].to_string();
     assert!(
-        remarks.contains("varies by 36 mm, more than the radius (34 mm): the stiffness cannot be determined"),
+        remarks
+            .contains("varies by 36 mm, more than the radius (34 mm): a stiffness fits this recording only"),
         "{remarks}"
     );
     assert!(remarks.contains("a model that never touches has an error of 0.661 body weights"), "{remarks}");

@@ -139,6 +139,6 @@ fn remark_on_scatter(before: &Summary) -> Option<Phrase> {
     let radius_m = before.smallest_radius_m?;
     let (scatter, radius) = (1e3 * widest, 1e3 * radius_m);
     let text = format!("in the recording, the height of the feet in stance varies by {scatter:.0} mm");
-    let text = format!("{text}, more than the radius ({radius:.0} mm): the stiffness cannot be determined");
+    let text = format!("{text}, more than the radius ({radius:.0} mm): a stiffness fits this recording only");
     (widest > radius_m).then(|| text.into())
 }
