@@ -107,9 +107,10 @@ impl PreparedChange {
         let mut moved = moved.map_or_else(MovedBottoms::default, |changed| {
             MovedBottoms::between(plan, &opened.model, changed)
         });
-        // Numbers that the caller gave are meant, even if the model is wrong with them.
+        // Numbers that the caller gave are meant, even if the model is wrong with them; and so is what is taken out, even if the rest
+        // cannot carry the body.
         // A change that is taken back gives a model that was there before: nobody has to be asked about it.
-        let is_confirmed = matches!(self.verb, Verb::Set | Verb::Design | Verb::Fit)
+        let is_confirmed = matches!(self.verb, Verb::Set | Verb::Design | Verb::Fit | Verb::Remove)
             || plan.restores_original()
             || self.answers.confirms(YesQuestion::WrongAfterwards);
         // Where lower spheres carry the body alone, the change is wrong only if it moved bottoms apart: else they hung lower before.
