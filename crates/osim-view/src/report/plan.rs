@@ -62,8 +62,7 @@ pub fn line(plan: &Plan, model: &str, output: &str) -> String {
 /// If all places of spheres are nearer to the origins of their bodies than this, m, the animal is small. In every human, some are farther.
 const SMALL_FOOT_LENGTH_M: f64 = 0.02;
 
-/// The largest number of names in a row of the table of objects. If there are more, the row has their number, so that it fits into one
-/// line.
+/// The largest number of names in a row of the table of objects, so that it fits into one line. The row ends with the number of others.
 const MOST_OBJECTS_NAMED: usize = 3;
 /// The largest number of names of spheres or forces in a row of the table of changes, which has more columns.
 const MOST_NAMES_IN_CHANGE: usize = 2;
