@@ -117,7 +117,7 @@ impl Plate {
         time_s.iter().filter_map(|&time_s| self.at(time_s)).all(|wrench| wrench.force_n.length() <= NOISE_N)
     }
 
-    /// The time and the force of one row of the table.
+    /// The time of the measurement `row`, and its force and moment; `None` after the last measurement.
     fn wrench_of_row(&self, row: usize) -> Option<(f64, Wrench)> {
         Some((*self.time_s.get(row)?, *self.wrenches.get(row)?))
     }

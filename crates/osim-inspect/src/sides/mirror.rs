@@ -271,7 +271,8 @@ fn landmarks<'m>(model: &Model, paired: &HashSet<&'m str>) -> HashMap<&'m str, B
 /// foot.
 const MOST_NEIGHBOURS: usize = 64;
 
-/// Pairs places, as indices of `images` and `others`, that are at most `within_m` apart: the nearest ones first, each place once.
+/// Pairs places of one side with the places `others` of the other side, as indices of `images` and `others`. `images` has the two mirror
+/// images of each place, and the nearer one must be at most `within_m` away. The nearest pairs come first; each place is in one pair.
 pub(super) fn pair_nearest(images: &[[DVec3; 2]], others: &[DVec3], within_m: f64) -> Vec<(usize, usize)> {
     if !(within_m.is_finite() && within_m > 0.0) {
         return Vec::new();

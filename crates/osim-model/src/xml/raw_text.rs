@@ -14,7 +14,8 @@ pub struct RawText<'t> {
     /// The bytes of the text in the file, without the white space around it: an edit replaces these bytes. Empty, at the place where text
     /// would begin, if there is no text.
     pub span: Range<usize>,
-    /// Whether the text is in one piece. If a comment, an element or a second CDATA section interrupts the text, OpenSim reports an error.
+    /// Whether the text is in one piece: plain text or one CDATA section, not both, without an element or a comment inside. For other text,
+    /// OpenSim reports an error.
     pub in_one_piece: bool,
 }
 
@@ -104,7 +105,7 @@ impl Tree {
         self.raw_text(id).text
     }
 
-    /// The text of `id`; `None` if it is not in one piece.
+    /// The text of `id`; `None` if OpenSim would report an error, because it is not [`in_one_piece`](RawText::in_one_piece).
     pub(crate) fn whole_text(&self, id: ElementId) -> Option<Cow<'_, str>> {
         let raw = self.raw_text(id);
         raw.in_one_piece.then_some(raw.text)

@@ -280,7 +280,7 @@ impl fmt::Display for Grid {
     }
 }
 
-/// A range from one number to a larger one: `FROM..TO`.
+/// The range of numbers that an axis or the colours of a plot show, from one number to a larger one: `FROM..TO`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Span {
     from: f64,

@@ -231,6 +231,7 @@ fn table_of_numbers(topics: &mut Topics, plan: &Plan) -> Markup {
     table("Numbers that change", &caption, &headers, &rows)
 }
 
+/// One row for all spheres or forces of a group of equal changes: their number, and if `with_names`, the names of the first ones.
 fn row_of_numbers(topics: &mut Topics, group: &[&NumberChange], with_names: bool) -> Markup {
     let Some(first) = group.first() else { return html! {} };
     let [from, to] = first.values(readable);

@@ -37,7 +37,7 @@ pub struct FootJoint {
     pub at_m: DVec3,
 }
 
-/// A contact sphere in the picture of a foot.
+/// A contact sphere of a foot, with its place in three dimensions, for pictures of the foot.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FootSphere {
     pub name: String,
