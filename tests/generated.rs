@@ -1,4 +1,5 @@
-//! Compares parts of docs/ with texts from the registers of the program and from `schemas/`: findings, errors, limits and records.
+//! Compares parts of docs/ with texts from the registers of the program and from `schemas/`: findings, errors, limits and records; and with
+//! the names of all source files.
 //! A part is between `<!-- begin NAME -->` and `<!-- end NAME -->`. To write all parts again: `UPDATE_DOCS=1 cargo test --test generated`.
 
 #![allow(clippy::disallowed_methods, reason = "tests cut their own texts")]
@@ -199,6 +200,54 @@ fn exit_statuses_table() -> String {
     markdown_table(&["status", "means"], ExitStatus::ALL.iter().map(row))
 }
 
+/// Names of files that the list of source files omits, because every crate, package or folder has them.
+const OMITTED_NAMES: [&str; 5] = ["lib", "main", "mod", "__init__", "__main__"];
+/// Most characters of a line in the list of source files.
+const LIST_WIDTH: usize = 120;
+
+/// The part of docs/developers/architecture.md with the names of all source files that people write.
+fn list_of_files() -> String {
+    let mut lines = Vec::new();
+    for name in entries_of("crates/") {
+        list_folder(&mut lines, &format!("crates/{name}/src/"), "", ".rs");
+    }
+    list_folder(&mut lines, "python/osim_contact_scale/", "", ".py");
+    list_folder(&mut lines, "web/src/", "", ".ts");
+    format!("```text\n{}\n```\n", lines.join("\n"))
+}
+
+/// Adds to `lines` the names of the files with an ending in the folder `inside` of the folder `top`, and in the folders below it.
+fn list_folder(lines: &mut Vec<String>, top: &str, inside: &str, ending: &str) {
+    let folder = format!("{top}{inside}");
+    let entries = entries_of(&folder);
+    let is_written_by_hand = |name: &str| {
+        let text = std::fs::read_to_string(project_path(&format!("{folder}{name}{ending}"))).unwrap();
+        text.lines().next().is_none_or(|line| !line.contains("do not edit"))
+    };
+    let sources: Vec<&str> = entries.iter().filter_map(|name| name.strip_suffix(ending)).collect();
+    let mut line = if inside.is_empty() { folder.clone() } else { format!("  {inside}") };
+    for &name in sources.iter().filter(|name| !OMITTED_NAMES.contains(name) && is_written_by_hand(name)) {
+        if line.len() + 1 + name.len() > LIST_WIDTH {
+            lines.push(std::mem::replace(&mut line, "   ".to_owned()));
+        }
+        line.push_str(&format!(" {name}"));
+    }
+    if !sources.is_empty() {
+        lines.push(line);
+    }
+    for name in entries.iter().filter(|name| project_path(&format!("{folder}{name}")).is_dir()) {
+        list_folder(lines, top, &format!("{inside}{name}/"), ending);
+    }
+}
+
+/// The sorted names of everything in a folder of the project.
+fn entries_of(folder: &str) -> Vec<String> {
+    let entries = std::fs::read_dir(project_path(folder)).unwrap();
+    let mut names: Vec<_> = entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
+    names.sort();
+    names
+}
+
 /// All generated parts of docs/: the page, the name and the text of each.
 fn parts_of_pages() -> Vec<(&'static str, &'static str, String)> {
     const FINDINGS_PAGE: &str = "reference/findings.md";
@@ -217,6 +266,7 @@ fn parts_of_pages() -> Vec<(&'static str, &'static str, String)> {
         (ERRORS_PAGE, "errors-model", errors_table(ErrorGroup::Model)),
         (ERRORS_PAGE, "errors-question", errors_table(ErrorGroup::Question)),
         (ERRORS_PAGE, "errors-request", errors_table(ErrorGroup::Request)),
+        ("developers/architecture.md", "files", list_of_files()),
     ];
     let records = records::PARTS_OF_JSON_PAGE
         .iter()
@@ -225,7 +275,11 @@ fn parts_of_pages() -> Vec<(&'static str, &'static str, String)> {
 }
 
 fn page_path(name: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs").join(name)
+    project_path("docs").join(name)
+}
+
+fn project_path(path: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(path)
 }
 
 /// The page with `text` between the marks of the part `name`.
