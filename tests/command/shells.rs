@@ -73,8 +73,63 @@ fn bash_completes_verbs_options_and_values() {
         complete(&["osim-contact-scale", "add", "m.osim", "--from", "moco-2"]).unwrap(),
         "moco-2d-gait"
     );
+    // After an option, bash completes folders and names with blanks by itself, where nothing else is known.
+    for option in ["--from", "-o", "-d", "--target-mass"] {
+        assert_eq!(complete(&["osim-contact-scale", "transfer", option, "''"]).unwrap(), "", "{option}");
+    }
+    assert_eq!(complete(&["osim-contact-scale", "drop-test", "--compare", "osim-"]).unwrap(), "osim-rl");
+    assert_eq!(complete(&["osim-contact-scale", "rescale", "--only", "stif"]).unwrap(), "stiffness");
+    assert_eq!(complete(&["osim-contact-scale", "add", "--yes", "poor"]).unwrap(), "poor-fit");
+    assert_eq!(complete(&["osim-contact-scale", "sweep", "--grid", "stif"]).unwrap(), "stiffness=");
     assert_eq!(complete(&["osim-contact-scale", "explain", "sunk"]).unwrap(), "sunk-in");
     assert_eq!(complete(&["osim-contact-scale", "set", "m.osim", "stif"]).unwrap(), "stiffness=");
+}
+
+/// Types a line after the other in a terminal of zsh, each with the key Tab, and writes what stands there then.
+const TYPED_IN_ZSH: &str = r#"
+zmodload zsh/zpty zsh/zselect
+zpty shell zsh -f -i
+drain() { while zpty -r -t shell shown; do :; done; zselect -t 2 }
+zpty -w shell 'autoload -Uz compinit && compinit -D -u; source completions.zsh
+keep() { print -r -- "$BUFFER" >> lines; BUFFER= }; zle -N keep; bindkey "^X" keep; bindkey "^I" complete-word; : > lines'
+until [[ -e lines ]]; do drain; done
+typeset -i typed=0
+for line; do
+    typed+=1
+    zpty -w -n shell "osim-contact-scale $line"$'\t\x18'
+    until (( $(wc -l < lines) >= typed )); do drain; done
+done
+zpty -d shell
+cat lines
+"#;
+
+#[test]
+fn zsh_completes_verbs_options_values_and_files() {
+    let dir = completion_scripts();
+    dir.write("model.osim", "");
+    dir.write("library/other.osim", "");
+    let lines = [
+        ("tran", "transfer "),
+        ("mod", "model.osim "),
+        ("model.osim --dry", "model.osim --dry-run "),
+        ("model.osim library --dry", "model.osim library --dry-run "),
+        ("check mod", "check model.osim "),
+        ("check lib", "check library/"),
+        ("rescale model.osim --target-m", "rescale model.osim --target-mass="),
+        ("transfer model.osim -o lib", "transfer model.osim -o library/"),
+        ("transfer model.osim --from mod", "transfer model.osim --from model.osim "),
+        ("transfer model.osim --from fal", "transfer model.osim --from falisse2022 "),
+        ("drop-test --compare osim-", "drop-test --compare osim-rl "),
+        ("presets fal", "presets falisse2022 "),
+        ("explain stiffness sunk", "explain stiffness sunk-in "),
+        ("model.osim --only stif", "model.osim --only stiffness "),
+        ("add --yes poor", "add --yes poor-fit "),
+    ];
+    let typed = lines.map(|(typed, _)| typed);
+    let arguments = [&["-f", "-c", TYPED_IN_ZSH, "zsh"][..], &typed].concat();
+    let Some((out, _)) = run_program(&dir, "zsh's completion", "zsh", &arguments) else { return };
+    let expected = lines.map(|(_, completed)| format!("osim-contact-scale {completed}"));
+    assert_eq!(out.lines().collect::<Vec<_>>(), expected);
 }
 
 #[test]
@@ -123,6 +178,11 @@ fn fish_completes_verbs_options_values_and_files() {
     }
     assert_eq!(complete("transfer model.osim --from mod"), ["model.osim"]);
     assert_eq!(complete("check library/"), ["library/other.osim"]);
+    assert_eq!(complete("transfer model.osim --from fal"), ["falisse2022"]);
+    assert_eq!(complete("drop-test --compare osim-"), ["osim-rl"]);
+    assert_eq!(complete("rescale --only stif"), ["stiffness"]);
+    assert_eq!(complete("add --yes poor"), ["poor-fit"]);
+    assert_eq!(complete("explain sunk"), ["sunk-in"]);
     // Options, of a call without a verb, too, before and after its model.
     assert_eq!(complete("--target-m"), ["--target-mass"]);
     assert_eq!(complete("model.osim --target-m"), ["--target-mass"]);

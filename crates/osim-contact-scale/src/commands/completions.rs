@@ -10,7 +10,7 @@ use clap_complete::Shell;
 use clap_mangen::Man;
 use osim_library::report_page::Words;
 use osim_library::{Disk, WriteMode, write_files};
-use osim_model::Property;
+use osim_model::{Property, YesQuestion};
 use osim_view::report::explain::Topic;
 
 use crate::args::whole_command;
@@ -26,39 +26,46 @@ pub(crate) fn run(shell: Shell, session: &mut Session) -> Result<Exit> {
     let name = command.get_name().to_owned();
     let mut script = Vec::new();
     clap_complete::generate(shell, &mut command, name.as_str(), &mut script);
-    match shell {
-        Shell::Bash => script = with_files(&with_one_name(&String::from_utf8(script)?, &name)).into_bytes(),
-        Shell::Fish => script = with_missing_completions(&String::from_utf8(script)?, &command).into_bytes(),
-        _ => {}
-    }
-    session.terminal.write_bytes(&script)?;
+    let (script, one_name) = (String::from_utf8(script)?, |joint| name.replace('-', joint));
+    let script = match shell {
+        // clap_complete 4.6 spells a command with hyphens in two ways, so that bash completes nothing after a verb
+        // (<https://github.com/clap-rs/clap/issues/6421>). Both become one; without the second this changes nothing.
+        Shell::Bash => with_files(&script.replace(&one_name("__subcmd__"), &one_name("__"))),
+        Shell::Zsh => with_models(&script),
+        Shell::Fish => with_missing_completions(&script, &command),
+        _ => script,
+    };
+    session.terminal.write_bytes(script.as_bytes())?;
     Ok(Exit::Done)
 }
 
-/// The command with the words that arguments without a name may have: presets, topics of `explain`, and properties for `set`.
+/// The command with the words that its arguments may have: presets, topics of `explain`, properties, and codes of questions.
 fn with_known_words(command: Command, shell: Shell) -> Command {
-    let names = osim_planning::all_preset_names(None, &Disk);
-    let topics: Vec<&str> = Topic::all().into_iter().map(Topic::name).collect();
-    let properties: Vec<String> =
-        Property::ALL.iter().map(|property| format!("{}=", property.name())).collect();
-    let values = |argument: Arg, words: Vec<String>| argument.value_parser(PossibleValuesParser::new(words));
-    let command = command
-        .mut_subcommand("presets", |verb| verb.mut_arg("name", |name| values(name, names)))
-        .mut_subcommand("explain", |verb| {
-            let topics = topics.into_iter().map(str::to_owned).collect();
-            verb.mut_arg("topics", |topic| values(topic, topics))
-        });
-    // The other shells would complete no files there.
-    if shell != Shell::Bash {
-        return command;
-    }
-    command.mut_subcommand("set", |verb| verb.mut_arg("items", |items| values(items, properties)))
+    let topics = Topic::all().into_iter().map(Topic::name);
+    let properties = |end: &str| Property::ALL.iter().map(|one| format!("{}{end}", one.name())).collect();
+    let with_words = |argument: Arg| {
+        let words: Vec<String> = match argument.get_id().as_str() {
+            "name" => osim_planning::all_preset_names(None, &Disk),
+            // Shells read a name with blanks as several words.
+            "topics" => topics.clone().filter(|name| !name.contains(' ')).map(str::to_owned).collect(),
+            "only" | "keep" => properties(""),
+            "yes" => YesQuestion::ALL.iter().map(|question| question.as_str().to_owned()).collect(),
+            "grid" => properties("="),
+            // The other shells would complete no files there.
+            "items" if shell == Shell::Bash => properties("="),
+            _ => return argument,
+        };
+        argument.value_parser(PossibleValuesParser::new(words))
+    };
+    command.mut_args(with_words).mut_subcommands(|verb| verb.mut_args(with_words))
 }
 
-/// The script for bash with files after a verb, where clap_complete 4.6 lists options (which begin with -), and with presets after `--from`.
+/// The script for bash with files after a verb, where clap_complete 4.6 lists options (which begin with -), with presets beside files, and
+/// with bash's own completion of files, which knows folders and blanks.
 fn with_files(script: &str) -> String {
     let (mut completed, mut words, mut before) = (String::new(), String::new(), "");
-    let presets = osim_planning::all_preset_names(None, &Disk).join(" ");
+    let files = "$(compgen -f \"${cur}\")";
+    let presets = format!("$(compgen -W \"${{cur:+{}}}\" -- \"${{cur}}\")", presets());
     for line in script.split_inclusive('\n') {
         if let Some(all) = line.trim_ascii().strip_prefix("opts=\"") {
             let is_value = |word: &&str| !word.starts_with('-') && !all.contains("--version");
@@ -71,18 +78,40 @@ fn with_files(script: &str) -> String {
         }
         completed.push_str(&match before {
             "esac" => line.replace("${opts}", &words),
-            "--from)" => line.replace("\"))", &format!("\") $(compgen -W \"{presets}\" -- \"${{cur}}\"))")),
-            _ => line.replace(" || ${COMP_CWORD} -eq 2 ]]", " ]]"),
+            "--from)" | "--compare)" => line.replace(files, &presets),
+            _ => line.replace(" || ${COMP_CWORD} -eq 2 ]]", " ]]").replace(files, ""),
         });
         before = line.trim_ascii();
     }
     completed
 }
 
-/// clap_complete 4.6 spells a command with hyphens in two ways, so that bash completes nothing after a verb
-/// (<https://github.com/clap-rs/clap/issues/6421>). Both become one; without the second this changes nothing.
-fn with_one_name(script: &str, name: &str) -> String {
-    script.replace(&name.replace('-', "__subcmd__"), &name.replace('-', "__"))
+/// The script for zsh with files, and options after files: clap_complete 4.6 counts the models of a call without a verb as a word before the
+/// verb, and ends options at the first model. Also with presets beside files.
+fn with_models(script: &str) -> String {
+    let (name, presets) = ("_osim-contact-scale", presets());
+    let functions = format!(
+        "autoload -U is-at-least\n\n\
+         {name}_presets() {{ _alternative 'files:file:_files' 'presets:preset:({presets})' }}\n\
+         {name}_verbs() {{ _alternative 'verbs:verb:{name}_commands' 'files:model:_files' }}\n"
+    );
+    let rest = format!(
+        " state line\n    local -a rest=(\":: :{name}_verbs\" \"*::: :->osim-contact-scale\")\n    \
+         (( CURRENT < 3 || $+functions[{name}__subcmd__${{words[2]}}_commands] )) || rest=(\"*:model:_files\")\n"
+    );
+    let is_kept = |line: &&str| !line.starts_with("'::models -- ") && !line.starts_with("\"*::: ");
+    let script: String = script.split_inclusive('\n').filter(is_kept).collect();
+    let script = script.replacen("autoload -U is-at-least\n", &functions, 1).replace(" state line\n", &rest);
+    let script = script.replace("line[2]", "line[1]").replace("'*::", "'*:");
+    let script = script.replace(&format!("\":: :{name}_commands\""), "\"${rest[@]}\"");
+    // The placeholders of `--from` and `--compare`.
+    let files = |script: &str, of| script.replace(&format!("{of}:_files'"), &format!("{of}:{name}_presets'"));
+    files(&files(&script, "PRESET"), "OTHER")
+}
+
+/// The names of the presets, as words of a script.
+fn presets() -> String {
+    osim_planning::all_preset_names(None, &Disk).join(" ")
 }
 
 // What clap_complete 4.6 leaves out for fish: options after a model where no verb is typed, and values of arguments without a name,
@@ -94,14 +123,15 @@ fn with_missing_completions(script: &str, command: &Command) -> String {
     let (needs_verb, without_verb) =
         (format!("{functions}_needs_command"), format!("{functions}_without_verb"));
     let verbs: Vec<&str> = command.get_subcommands().map(Command::get_name).collect();
-    let mut completed = String::new();
+    let (mut completed, with_presets) = (String::new(), format!("-r -F -a \"{}\"", presets()));
     for line in script.split_inclusive('\n') {
-        let is_option = line.contains(" -l ") && line.starts_with("complete ");
         let condition = |name: &str| format!(" -n \"{name}\"");
-        completed.push_str(&match is_option {
+        let line = match line.starts_with("complete ") && line.contains(" -l ") {
             true => line.replacen(&condition(&needs_verb), &condition(&without_verb), 1),
             false => line.to_owned(),
-        });
+        };
+        let has_presets = line.contains("preset");
+        completed.push_str(&if has_presets { line.replace("-r -F", &with_presets) } else { line });
     }
     let name = command.get_name();
     // Writing to a text cannot fail.
@@ -112,7 +142,9 @@ fn with_missing_completions(script: &str, command: &Command) -> String {
         verbs.join(" ")
     );
     for verb in command.get_subcommands() {
-        let files = if takes_files(verb) { "" } else { " -f" };
+        // A verb may have an argument that is a file, and not only one of a few words.
+        let may_be_file = |argument: &Arg| possible_values(argument).is_empty();
+        let files = if verb.get_positionals().any(may_be_file) { "" } else { " -f" };
         for values in verb.get_positionals().map(possible_values).filter(|values| !values.is_empty()) {
             let _ = writeln!(
                 completed,
@@ -123,11 +155,6 @@ fn with_missing_completions(script: &str, command: &Command) -> String {
         }
     }
     completed
-}
-
-/// Whether the verb has an argument without a name that may be a file, not only one of a few words.
-fn takes_files(verb: &Command) -> bool {
-    verb.get_positionals().any(|argument| possible_values(argument).is_empty())
 }
 
 fn possible_values(argument: &Arg) -> Vec<PossibleValue> {
