@@ -96,7 +96,10 @@ impl PendingFile {
         }
         let existing = existing.filter(|existing| !mode.is_of_other_run(existing));
         if existing.is_some() && matches!(mode, WriteMode::New | WriteMode::NewSince(_)) {
-            return Err(LibraryFault::file_exists(&shown, Input::Output));
+            return Err(LibraryFault::new(phrase![
+                "{} exists already: choose another name ({}) or folder ({}), or replace it with {}";
+                shown.display().to_string(), Input::Output, Input::OutputDir, Input::Force
+            ]));
         }
         let cannot = || format!("cannot write into {}", folder_of(&shown).display());
         let like = existing.as_ref().or(like);
