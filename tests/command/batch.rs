@@ -114,7 +114,7 @@ fn a_table_that_is_not_a_manifest_is_refused_with_a_correction() {
         ("model,targt-mass\nhuman.osim,5\n", "did you mean 'target-mass'"),
         ("#file,target-mass\nhuman.osim,5\n", "no column 'model'"),
         ("model,model\nhuman.osim,5\n", "appears twice"),
-        ("model,target-mass,dry-run\nhuman.osim,5,yes\n", "after the manifest's name"),
+        ("model,target-mass,dry-run\nhuman.osim,5,yes\n", "after the table's name"),
         ("model,target-mass\nhuman.osim\n", "line 2: 1 cells, expected 2"),
         ("model,target-mass\n", "no rows"),
         ("m\0o\0", "UTF-16"),

@@ -3,7 +3,6 @@
 use std::collections::BTreeMap;
 
 use osim_model::messages::{Input, Phrase, Verb, phrase};
-use osim_model::nearest_names;
 use osim_requests::register::{Entry, List, OptionValue, option_named};
 use osim_requests::{CHANGING, silent_fields, verb_entry};
 
@@ -15,6 +14,9 @@ const OTHER_HEADERS_OF_MODEL: [&str; 5] = ["file", "path", "filename", "modelfil
 /// Columns that say what happens to the model of a row without its verb, each with that verb; the first that is filled counts.
 pub(super) const VERBS_OF_COLUMNS: [(&str, Verb); 3] =
     [("from", Verb::Transfer), ("set", Verb::Set), ("target_mass", Verb::Rescale)];
+
+/// What is said of a column that the user may have meant as a remark.
+pub(super) const WAY_OUT: &str = " (a column whose name begins with # is carried along)";
 
 /// The way in which a cell of a column becomes a value of a request.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -62,15 +64,15 @@ impl Columns {
     ///
     /// # Errors
     ///
-    /// No column `model`, a column that appears twice, a column whose name is nearly that of a field, or another unknown column without
+    /// No column `model`, two columns of one meaning, a column whose name is nearly that of a field, or another unknown column without
     /// `keeps_others`.
     pub(super) fn from_header(header: &[String], keeps_others: bool) -> Result<Self, Phrase> {
         let known = fields();
         let has = |name: &str| header.iter().any(|cell| field_of_header(cell) == name);
-        let names: Vec<&str> = header
-            .iter()
-            .map(|cell| other_header(cell, &known).filter(|name| !has(name)).unwrap_or(cell))
-            .collect();
+        // Beside a column `model`, one of files is the user's own.
+        let is_meaning = |name: &&str| *name != "model" || !has(name);
+        let meaning = |cell| other_header(cell, &known).filter(is_meaning).unwrap_or(cell);
+        let names: Vec<&str> = header.iter().map(|cell| meaning(cell)).collect();
         // In a table that says in no other column what happens to a model, `mass` can only be the target mass.
         let is_change =
             |name: &str| name == "verb" || VERBS_OF_COLUMNS.iter().any(|(column, _)| *column == name);
@@ -87,10 +89,15 @@ impl Columns {
             };
             match column(cell, name, &known, keeps_others) {
                 Err(message) => wrong.push(message),
-                Ok(one) if columns.iter().any(|other| twice(&one, other)) => {
-                    wrong.push(format!("the column '{cell}' appears twice, expected one").into());
-                }
-                Ok(column) => columns.push(column),
+                Ok(one) => match columns.iter().find(|other| twice(&one, other)).map(|other| &other.header) {
+                    Some(first) => wrong.push(
+                        format!(
+                            "the column '{cell}' appears twice, first as '{first}', expected one{WAY_OUT}"
+                        )
+                        .into(),
+                    ),
+                    None => columns.push(one),
+                },
             }
         }
         if let Some(message) = Phrase::joined(wrong, "; ") {
@@ -143,16 +150,27 @@ fn other_header<'k>(cell: &str, known: &'k BTreeMap<String, Option<CellKind>>) -
     if known.contains_key(&field_of_header(cell)) {
         return None;
     }
-    let letters = |text: &str| text.to_lowercase().replace([' ', '-', '_'], "");
-    let header = letters(cell.split(['(', '[']).next().unwrap_or_default());
-    let header = header.strip_suffix("kg").unwrap_or(&header);
-    if OTHER_HEADERS_OF_MODEL.contains(&header) {
+    let header = letters_of_header(cell);
+    if OTHER_HEADERS_OF_MODEL.contains(&header.as_str()) {
         return Some("model");
     }
-    let is_meant = |name: &str| {
-        letters(name) == header || Input::find(name).is_some_and(|input| letters(input.label()) == header)
-    };
+    let is_meant = |name: &str| spellings(name).contains(&header);
     known.iter().find(|(name, kind)| kind.is_some() && is_meant(name)).map(|(name, _)| name.as_str())
+}
+
+fn letters(text: &str) -> String {
+    text.to_lowercase().replace([' ', '-', '_'], "")
+}
+
+/// The letters of a header without its unit.
+fn letters_of_header(cell: &str) -> String {
+    let header = letters(cell.split(['(', '[']).next().unwrap_or_default());
+    header.strip_suffix("kg").unwrap_or(&header).to_owned()
+}
+
+/// The letters of a field's name, and of its label on the page.
+fn spellings(name: &str) -> Vec<String> {
+    [Some(name), Input::find(name).map(Input::label)].into_iter().flatten().map(letters).collect()
 }
 
 /// The column with the header `cell`, which means the header `name`.
@@ -173,14 +191,14 @@ fn column(
         name => match known.get(name) {
             Some(Some(kind)) => *kind,
             Some(None) => return Err(message_about_run_option(cell, name)),
-            None => match did_you_mean(cell, name, known) {
+            None => match did_you_mean(cell, known) {
                 None if keeps_others => CellKind::UserColumn,
-                hint => return Err(format!(
-                    "the column '{cell}' is not an option of {} (a column whose name begins with # is carried along){}",
-                    changing_verbs(),
-                    hint.unwrap_or_default()
-                )
-                .into()),
+                hint => {
+                    let (verbs, hint) = (changing_verbs(), hint.unwrap_or_default());
+                    return Err(
+                        format!("the column '{cell}' is not an option of {verbs}{WAY_OUT}{hint}").into()
+                    );
+                }
             },
         },
     };
@@ -191,19 +209,24 @@ fn column(
 fn message_about_run_option(cell: &str, field: &str) -> Phrase {
     let about = format!("the column '{cell}' is about the whole run: write ");
     match Input::find(field) {
-        Some(input) => phrase![about, input, " after the manifest's name"],
-        None => format!("{about}{field} after the manifest's name").into(),
+        Some(input) => phrase![about, input, " after the table's name", WAY_OUT],
+        None => format!("{about}{field} after the table's name{WAY_OUT}").into(),
     }
 }
 
 /// The hint `: did you mean ...?` with the field that the user probably wanted to write as `cell`; `None` if no field is similar.
-fn did_you_mean(cell: &str, name: &str, known: &BTreeMap<String, Option<CellKind>>) -> Option<String> {
-    // The user's own columns often have short names.
-    let letters = name.replace('_', "").len();
-    let most_wrong = usize::from(letters > 4) + usize::from(letters > 7);
-    let field = *nearest_names(name, known.keys().map(String::as_str), most_wrong).first()?;
+fn did_you_mean(cell: &str, known: &BTreeMap<String, Option<CellKind>>) -> Option<String> {
+    // What is left of `body` and `bodies`.
+    let stem = |word: &str| word.trim_end_matches(['y', 'i', 'e', 's']).to_owned();
+    let header = letters_of_header(cell);
+    // Short names are near to everything: `sex` to `yes`.
+    let is_near = |spelling: &String| match strsim::osa_distance(spelling, &header) {
+        apart @ ..2 => apart + 3 < header.len(),
+        apart => header.len() > 7 && (apart == 2 || stem(spelling) == stem(&header)),
+    };
+    let field = known.keys().find(|name| spellings(name).iter().any(is_near))?;
     // As an option of the command line, where the cell is spelled like one.
-    let field = if cell.contains('-') { field.replace('_', "-") } else { field.to_owned() };
+    let field = if cell.contains('-') { field.replace('_', "-") } else { field.clone() };
     Some(format!(": did you mean '{field}'?"))
 }
 
@@ -248,6 +271,12 @@ mod tests {
         // As the reader writes names.
         assert!(message("target_mas").contains("did you mean 'target_mass'?"));
         assert!(message("stence_limbs").contains("did you mean 'stance_limbs'?"));
+        // Also with a unit or blanks, with another ending, or like a label of the page.
+        for header in ["Contact mass (kg)", "contact mass", "Contacts mas [kg]"] {
+            assert!(message(header).contains("did you mean 'contacts_mass'?"), "{header}");
+        }
+        assert!(message("follow-body").contains("did you mean 'follow-bodies'?"));
+        assert!(message("sphere follow their bodies").contains("did you mean 'follow_bodies'?"));
     }
 
     #[test]
@@ -280,6 +309,16 @@ mod tests {
                 .to_string()
                 .contains("'age' is not an option of")
         );
+    }
+
+    #[test]
+    fn two_columns_of_one_meaning_are_refused() {
+        for (one, other) in [("target-mass", "Target mass (kg)"), ("mass", "Mass (kg)"), ("level", "Level")] {
+            let message = columns_of(&["model", one, other]).unwrap_err().to_string();
+            assert!(message.contains(&format!("'{other}' appears twice, first as '{one}'")), "{message}");
+            assert!(message.contains("begins with # is carried along"), "{message}");
+            assert!(columns_of(&["model", one, &format!("#{other}")]).is_ok());
+        }
     }
 
     #[test]

@@ -16,7 +16,7 @@ use serde_json::{Map, Value, json};
 use crate::prepared_change::PreparedChange;
 use crate::sheet::{Row, Sheet};
 use crate::table::cells::{MassesOfTable, RowCells};
-use crate::table::columns::{Columns, model_field};
+use crate::table::columns::{Columns, WAY_OUT, model_field};
 use crate::verbs::prepare;
 pub use cells::RowFault;
 
@@ -135,7 +135,7 @@ impl Table {
             .map(str::to_owned);
         let message = match (fault, &column) {
             (RequestFault::UnknownField { .. }, Some(_)) => {
-                format!("{} has no such option: leave the cell empty", verb.name()).into()
+                format!("{} has no such option: leave the cell empty{WAY_OUT}", verb.name()).into()
             }
             // What is wrong with assignments names the one that it is about.
             (RequestFault::BadValue { field, reason, .. }, Some(_)) if field == "set" => {
