@@ -102,11 +102,33 @@ fn a_misspelled_verb_before_a_missing_model_gets_a_suggestion() {
     let dir = TestDir::new();
     assert_suggests(dir.run("resclae x.osim"), "verb_without_model");
     assert_suggests(dir.run("scale x.osim"), "scale_without_model");
-    for (verb, words) in
-        [("info", "'inspect'"), ("validate", "'check'"), ("lint", "'check'"), ("fix", "'check --fix'")]
-    {
+    for (verb, words) in [
+        ("info", "'inspect'"),
+        ("validate", "'check'"),
+        ("lint", "'check'"),
+        ("fix", "'check --fix'"),
+        ("Scale", "'rescale'"),
+        ("show", "'inspect'"),
+        ("verify", "'check'"),
+    ] {
         dir.run(&format!("{verb} x.osim")).usage_error().wrote_nothing().says(&[words]);
     }
+}
+
+#[test]
+fn a_verb_after_its_model_and_an_option_of_another_verb_get_a_suggestion() {
+    let dir = TestDir::with_human();
+    dir.write("my model.osim", crate::support::fixture(HUMAN.0));
+    for (call, message) in [
+        ("human.osim check", "'check' is not a file: did you mean 'check human.osim'?"),
+        ("human.osim stiffness=1e6", "did you mean 'set human.osim stiffness=1e6'?"),
+        ("human.osim --from g.osim", "'--from' found: it is an option of transfer, add, inspect, check"),
+        ("motion human.osim --target-mass 80", "it is an option of rescale, inspect, plot"),
+    ] {
+        dir.run(call).usage_error().wrote_nothing().says(&[message]);
+    }
+    let blank = dir.run_words(&["my model.osim", "check"]);
+    assert!(String::from_utf8(blank.stderr).unwrap().contains("'check \"my model.osim\"'"));
 }
 
 #[test]

@@ -254,12 +254,12 @@ pub(crate) fn usage_line(error: &clap::Error) -> String {
         context(ContextKind::SuggestedValue),
     ) {
         // A value without an option is named by what it is alone.
-        let option = match option.split(' ').next() {
-            Some(name) if name.starts_with('-') => format!("{name} "),
-            _ => String::new(),
-        };
+        let name = option.split(' ').next().filter(|name| name.starts_with('-'));
+        let option = name.map(|name| format!("{name} ")).unwrap_or_default();
         return format!("{option}'{}': did you mean '{near}'?", shown(&value));
     }
+    let option = context(ContextKind::InvalidArg).filter(|_| error.kind() == ErrorKind::UnknownArgument);
+    let verbs = option.and_then(|option| Some(verbs_with_option(option.strip_prefix("--")?)));
     let text = error.render().to_string();
     let mut lines = text.lines().map(str::trim_ascii).filter(|line| !line.is_empty());
     let first = lines.next().unwrap_or_default().trim_start_matches("error: ").to_owned();
@@ -269,9 +269,20 @@ pub(crate) fn usage_line(error: &clap::Error) -> String {
         // Nobody who misspells an option wants it to be a file.
         .filter(|line| !line.contains("as a value, use '--"))
         .collect();
+    if let Some(verbs) = verbs.filter(|verbs| !verbs.is_empty()) {
+        return format!("{first}: it is an option of {verbs} (a verb is the first word)");
+    }
     let joint = if first.ends_with(':') { " " } else { "; " };
     let line = if rest.is_empty() { first } else { format!("{first}{joint}{}", rest.join(", ")) };
     Phrase::from(line).to_string()
+}
+
+/// The names of the verbs that have an option.
+fn verbs_with_option(option: &str) -> String {
+    let has_option = |verb: &&Command| verb.get_arguments().any(|one| one.get_long() == Some(option));
+    let command = whole_command();
+    let verbs = command.get_subcommands().filter(has_option).map(Command::get_name);
+    verbs.collect::<Vec<_>>().join(", ")
 }
 
 // The verbs in groups, as the help of the program lists them; clap has one list for all.

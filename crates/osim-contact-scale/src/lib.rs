@@ -103,8 +103,7 @@ fn print_clap_error(error: &clap::Error, terminal: &mut Terminal) -> Exit {
         | ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand
         | ErrorKind::DisplayVersion => {
             // A reader that has seen enough is no failure.
-            let printed = without_closed_pipe(error.print()).map_err(anyhow::Error::from);
-            match printed {
+            match without_closed_pipe(error.print()).map_err(anyhow::Error::from) {
                 Ok(()) if !error.use_stderr() => Exit::Done,
                 Ok(()) => Exit::Usage,
                 Err(why) => {
@@ -116,11 +115,7 @@ fn print_clap_error(error: &clap::Error, terminal: &mut Terminal) -> Exit {
         kind => {
             let words: Vec<String> =
                 std::env::args_os().skip(1).map(|word| word.to_string_lossy().into_owned()).collect();
-            let of_words = || {
-                Some(kind)
-                    .filter(|kind| *kind == ErrorKind::UnknownArgument)
-                    .and_then(|_| suggestion_for_call())
-            };
+            let of_words = || (kind == ErrorKind::UnknownArgument).then(suggestion_for_call).flatten();
             let of_figure = || suggested_figure(&words, COMMAND_LINE_WORDS);
             let meant = suggested_axis(&words, COMMAND_LINE_WORDS).or_else(of_figure).or_else(of_words);
             let text = meant.unwrap_or_else(|| usage_line(error));

@@ -4,19 +4,19 @@ use std::path::{Path, PathBuf};
 
 use osim_library::SplitName;
 use osim_library::report_page::Words;
+use osim_model::Property;
 use osim_model::messages::{Input, Phrase, Verb, phrase};
 use osim_model::nearest_names;
 use osim_requests::{AxisName, Kilograms, PlotKind, no_fig1};
 
 use crate::args::verb_names;
 
-/// Verbs of other programs, each with what to say instead of `did you mean`.
-const VERBS_OF_OTHER_PROGRAMS: [(&str, &str); 5] = [
-    ("info", "the contacts of a model are shown by 'inspect'"),
-    ("validate", "a model is checked by 'check'"),
-    ("lint", "a model is checked by 'check'"),
-    ("fix", "'check --fix' corrects a model"),
-    ("scale", "OpenSim scales bodies; 'rescale' scales contacts"),
+/// Verbs of other programs, with what to say instead of `did you mean`.
+const VERBS_OF_OTHER_PROGRAMS: [(&[&str], &str); 4] = [
+    (&["info", "show", "view"], "the contacts of a model are shown by 'inspect'"),
+    (&["lint", "validate", "verify"], "a model is checked by 'check'"),
+    (&["fix"], "'check --fix' corrects a model"),
+    (&["scale"], "OpenSim scales bodies; 'rescale' scales contacts"),
 ];
 
 /// The message that suggests another call instead of `words` (the arguments beside the options); `None` if no call fits. With
@@ -24,10 +24,15 @@ const VERBS_OF_OTHER_PROGRAMS: [(&str, &str); 5] = [
 pub(crate) fn suggest(words: &[PathBuf], may_be_mass: bool, terms: Words) -> Option<String> {
     let first = words.first()?;
     let is_known = |word: &Path| word.exists() || word.as_os_str() == "-";
-    if let Some((_, text)) = VERBS_OF_OTHER_PROGRAMS.iter().find(|(verb, _)| first.as_os_str() == *verb)
+    let is_first = |verb: &&str| first.as_os_str().eq_ignore_ascii_case(verb);
+    if let Some((_, text)) = VERBS_OF_OTHER_PROGRAMS.iter().find(|(verbs, _)| verbs.iter().any(is_first))
         && !is_known(first)
     {
         return Some(format!("'{}' is neither a verb nor a file: {text}", first.display()));
+    }
+    let mut others = words.iter().filter(|word| !is_known(word));
+    if let Some(call) = others.find_map(|word| call_with_verb(word.to_str()?, words, terms)) {
+        return Some(call);
     }
     let verb = Some(first).filter(|word| !is_known(word)).and_then(|word| similar_verb(word));
     let split = SplitName::find(words);
@@ -44,6 +49,15 @@ pub(crate) fn suggest(words: &[PathBuf], may_be_mass: bool, terms: Words) -> Opt
         return Some(text.spelled(terms));
     }
     Some(format!("'{}' is neither a verb nor a file: did you mean '{}'?", first.display(), verb?))
+}
+
+/// The message that suggests the call with its verb first, if `word` of `words` is a verb, or says what to set.
+fn call_with_verb(word: &str, words: &[PathBuf], terms: Words) -> Option<String> {
+    let is_value = Property::ALL.iter().any(|property| word.starts_with(&format!("{}=", property.name())));
+    let verb = if is_value { Verb::Set.name() } else { verb_names().find(|name| *name == word)? };
+    let rest = words.iter().filter(|other| is_value || other.as_os_str() != word);
+    let rest: String = rest.map(|word| format!(" {}", terms.word(&word.display().to_string()))).collect();
+    Some(format!("'{word}' is not a file: did you mean '{verb}{rest}'?"))
 }
 
 /// The message that `plot fig1` cannot be drawn, even if other arguments are missing, too.
@@ -65,22 +79,18 @@ pub(crate) fn suggested_axis(words: &[String], terms: Words) -> Option<String> {
         return None;
     }
     let grid = terms.input(Input::Grid, None);
-    let mut before = "";
-    let found = rest.iter().find_map(|word| {
-        let is_of_grid = std::mem::replace(&mut before, word) == grid;
-        Some(word).filter(|_| !is_of_grid)?;
-        let assigned = || word.trim_start_matches("--").split_once('=');
-        assigned().and_then(|(name, values)| Some((word.clone(), AxisName::suggested_axis(name, values)?)))
+    let pairs = || std::iter::once(verb).chain(rest).zip(rest).filter(|(before, _)| **before != grid);
+    let assigned = pairs().find_map(|(_, word)| {
+        let (name, values) = word.trim_start_matches("--").split_once('=')?;
+        Some((word.clone(), AxisName::suggested_axis(name, values)?))
     });
     let of_option = || {
-        let options = rest.iter().zip(rest.iter().skip(1)).filter(|(option, _)| **option != grid);
-        let mut options = options.filter_map(|(option, values)| {
+        pairs().find_map(|(option, values)| {
             let axis = AxisName::suggested_axis(option.strip_prefix("--")?, values)?;
             Some((format!("{option} {values}"), axis))
-        });
-        options.next()
+        })
     };
-    let (word, axis) = found.or_else(of_option)?;
+    let (word, axis) = assigned.or_else(of_option)?;
     let text: Phrase =
         phrase![format!("'{word}' is not how an axis is written: write "), Input::Grid.with_value(axis)];
     Some(text.spelled(terms))
