@@ -183,8 +183,12 @@ fn a_reference_whose_spheres_do_not_fit_its_own_bones_is_refused_whatever_its_ma
 #[test]
 fn a_wrong_original_model_causes_an_error_with_the_reason() {
     let dir = TestDir::with(&SCALED_MODELS);
+    let noted = [("drawn_feet/six_spheres.osim", "noted.osim"), ("drawn_feet/left_behind.osim", "left.osim")];
+    noted.iter().for_each(|(from, to)| dir.write(to, crate::support::fixture(from)));
     for (call, expected) in [
         ("check generic.osim --from scaled.osim", "the two are swapped"),
+        // A note in both, which says by itself that spheres of the scaled model were left behind.
+        ("check noted.osim --from left.osim", "the two are swapped"),
         ("check scaled.osim --from known.osim", "spheres-not-compared"),
         ("check misplaced.osim --from misplaced.osim", "has a fault of its own"),
     ] {

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use contact_scaling::Ratios;
 use osim_inspect::{
     CheckResult, FindingWithRemedy, InspectOptions, Inspection, ReferenceContacts, SizeList,
-    check_without_remedies, unexplained_mass,
+    check_without_remedies, find_misplaced_spheres, unexplained_mass,
 };
 use osim_model::compare::{Factors, ModelSize, ScaleFile, Similarity, SpherePlacements, moco_bounds};
 use osim_model::files::{Failure, FileName, Files, OpenModel};
@@ -297,7 +297,9 @@ impl Inspector {
         let mut placement =
             SpherePlacements::compare(model, from, scale_file, &generic.anatomy, file, radius_ratio);
         let fits = (fits_known_contacts(inspection), generic.fits_contacts);
-        if placement.was_left_behind() && fits == (Some(true), Some(false)) {
+        let other_left_behind = generic.codes.contains(&FindingCode::SpheresLeftBehind);
+        let alone = other_left_behind && find_misplaced_spheres(model).is_none();
+        if placement.was_left_behind() && (alone || fits == (Some(true), Some(false))) {
             let why = "the contacts of this model fit its body, and those of the other one do not: the two are swapped";
             placement = placement.of_wrong_model(why.into());
         } else if let Some(fault) = &generic.fault {
