@@ -405,7 +405,7 @@ fn models_of_another_sweep_in_the_folder_are_named() {
     assert!(!errors_of("sweep emu.osim --grid stiffness=x1,x2 -d out").contains("another sweep"));
     let err = errors_of("sweep emu.osim --grid stiffness=x1,x3 -d out --force");
     let expected =
-        "remark: out has a model of another sweep, which the manifest does not list: emu_2_stiffness-x2.osim";
+        "remark: out has a model of another sweep, which the table does not list: emu_2_stiffness-x2.osim";
     assert!(err.contains(expected), "{err}");
     // A ladder has another table, and other files in the folder do not matter.
     dir.write("out/emu_walks.osim", "mine");

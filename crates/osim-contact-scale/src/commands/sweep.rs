@@ -50,7 +50,7 @@ pub(crate) fn run(request: &SweepRequest, session: &mut Session) -> Result<Exit>
     if end.worse > 0 {
         let (worse, made) = (end.worse, end.made + end.earlier);
         session.terminal.print_to_stderr(&format!(
-            "remark: {worse} of {made} models have errors or warnings that the original model does not have: see the column worse of the manifest\n"
+            "remark: {worse} of {made} models have errors or warnings that the original model does not have: see the column worse of the table\n"
         ))?;
     }
     session.terminal.print_to_stderr(&remarks_of_sweep(&end, &sweep))?;
@@ -75,21 +75,21 @@ pub(crate) fn run(request: &SweepRequest, session: &mut Session) -> Result<Exit>
 fn remarks_of_sweep(end: &SweepEnd, sweep: &SweepRun<'_>) -> String {
     let mut remarks = String::new();
     if let Some((point, earlier)) = end.same.first {
-        let such = if end.same.count > 1 { "such as " } else { "" };
+        let (have, such) = if end.same.count > 1 { ("have", "such as ") } else { ("has", "") };
         remarks.push_str(&format!(
-            "remark: {} of {} models {} the same contacts as an earlier one: {such}{point} and {earlier}\n",
+            "remark: {} of {} models {have} the same contacts as an earlier one: {such}{point} and {earlier}\n",
             end.same.count,
             end.made + end.earlier,
-            if end.same.count > 1 { "have" } else { "has" },
         ));
     }
     if let Some(first) = &end.others.first {
+        let folder = sweep.folder().display();
+        let (models, such) = match end.others.count {
+            ..2 => ("a model".to_owned(), ""),
+            count => (format!("{count} models"), "such as "),
+        };
         remarks.push_str(&format!(
-            "remark: {} has {} of another sweep, which the manifest does not list: {}{}\n",
-            sweep.folder().display(),
-            if end.others.count > 1 { format!("{} models", end.others.count) } else { "a model".to_owned() },
-            if end.others.count > 1 { "such as " } else { "" },
-            first
+            "remark: {folder} has {models} of another sweep, which the table does not list: {such}{first}\n"
         ));
     }
     remarks
@@ -120,11 +120,8 @@ fn print_number_of_variants(
     session: &mut Session,
 ) -> Result<()> {
     let (size, count, points) = (sweep.model_size(), sweep.count(), sweep.points());
-    let of = if request.point.is_some() || request.shard.is_some() {
-        format!(" of {points}")
-    } else {
-        String::new()
-    };
+    let is_part = request.point.is_some() || request.shard.is_some();
+    let of = if is_part { format!(" of {points}") } else { String::new() };
     let megabytes = |bytes: usize| bytes as f64 / 1e6;
     let text = format!(
         "remark: {count}{of} models of {:.2} MB each, {:.1} MB together, into {}\n",
@@ -135,7 +132,7 @@ fn print_number_of_variants(
     session.terminal.print_to_stderr(&text)?;
     if request.ladder.is_some() {
         session.terminal.print_to_stderr(
-            "remark: steps are equal in k R n/F by the Hertz law (B.3); relative_indentation_model_law in the manifest is where the \
+            "remark: steps are equal in k R n/F by the Hertz law (B.3); relative_indentation_model_law in the table is where the \
              contacts rest by the law of their class\n",
         )?;
     }

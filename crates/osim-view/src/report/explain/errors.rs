@@ -181,7 +181,7 @@ const REQUEST_ERRORS: &[ErrorCode] = codes! {
     "no-such-body": "the model has no body of a name that `feet` or a table says",
         "one of the names in the message";
     "too-many-spheres": "so many spheres under one foot would be closer than 1 mm", "fewer with `count=N`";
-    "manifest": "a row of a manifest is wrong: the message names row and column. No model was changed",
+    "manifest": "a row of a table is wrong: the message names row and column. No model was changed",
         "correct the cells that are named, and run again; see docs/libraries.md";
     "internal": "a defect of this program; nothing was changed",
         "please report it, with the model if you may";
