@@ -404,7 +404,7 @@ fn no_command_is_proposed_while_masses_disagree() {
     assert!(codes_of(&scaled).contains("mass-sources-disagree") && codes_of(&scaled).contains("sunk-in"));
     assert_eq!(commands(&scaled), 0);
     assert!(scaled.findings.iter().any(|finding| {
-        finding.message.ends_with("for those under the mass of the contacts give --mass 0.0209")
+        finding.message.ends_with("--mass 0.0209 gives those for 0.0209 kg")
     }));
     let settled = report_of("human.scaled.osim --mass 0.0209");
     assert!(!codes_of(&settled).contains("sunk-in"));

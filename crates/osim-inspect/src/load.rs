@@ -238,10 +238,10 @@ impl MassMismatch {
     pub(crate) fn clause_about_masses(&self) -> Phrase {
         let (body, contacts) = (readable(self.body_kg), readable(self.contacts_mass.kg));
         let other = phrase![
-            ": for those under the mass of the contacts give {}{}";
-            Input::Mass.with_value(contacts), &self.answer_to_question()
+            ": {}{} gives those for {contacts} kg";
+            Input::Mass.with_value(contacts.clone()), &self.answer_to_question()
         ];
-        phrase![format!("; the values are those under {body} kg"), Input::Mass.either(other, "")]
+        phrase![format!("; all values here are for {body} kg"), Input::Mass.either(other, "")]
     }
 
     /// The answer ` with ...` to add to the mass of the contacts on the command line, if the program would ask about that mass; else empty.

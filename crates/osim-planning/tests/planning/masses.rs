@@ -141,8 +141,7 @@ fn masses_that_agree_or_that_the_caller_gives_are_not_a_mismatch() {
 fn a_mismatch_is_only_reported_after_the_finding_about_masses() {
     let text = with_note(&foot(&[SmoothContact { dissipation: 2.0, ..SOLE }]), 75.5);
     let result = check_text(&text);
-    let aside =
-        "; the values are those under 60 kg: for those under the mass of the contacts give `mass` 75.5";
+    let aside = "; all values here are for 60 kg: `mass` 75.5 gives those for 75.5 kg";
     for finding in &result.findings {
         let of_masses = finding.code() == FindingCode::MassSourcesDisagree;
         assert_eq!(finding.message.to_string().ends_with(aside), of_masses, "{}", finding.message);
