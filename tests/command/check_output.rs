@@ -116,5 +116,9 @@ fn a_finding_without_a_command_leads_to_its_explanation() {
     let dir = TestDir::new();
     dir.write("model.osim", fixture("check/doubled_spheres.osim"));
     let run = dir.run("check model.osim").failed();
-    assert!(run.out().ends_with("\n\nWhat to do: explain doubled-spheres\n"), "{}", run.out());
+    assert!(
+        run.out().ends_with("\n\nWhat to do: osim-contact-scale explain doubled-spheres\n"),
+        "{}",
+        run.out()
+    );
 }

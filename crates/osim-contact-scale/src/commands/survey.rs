@@ -139,16 +139,14 @@ fn show_models(survey: &Survey<'_>, format: SheetFormat, session: &mut Session) 
     Ok(shown)
 }
 
-/// The word in place of the model's name in calls that are shown.
+/// The word in place of the models' names in calls that are shown, where there are many.
 const MODEL_PLACEHOLDER: &str = "MODEL";
 
 /// Calls to make next, shown once after all models. If no model has contacts, calls that add contacts.
 fn calls_to_make_next(session: &Session, models: &[PathBuf], has_contacts: bool) -> String {
     let words = session.words;
-    let name = match models {
-        [only] => words.word(&only.display().to_string()),
-        _ => MODEL_PLACEHOLDER.to_owned(),
-    };
+    let names: Vec<String> = models.iter().map(|path| words.word(&path.display().to_string())).collect();
+    let name = if names.len() > 3 { MODEL_PLACEHOLDER.to_owned() } else { names.join(" ") };
     let command = |call: &Call| words.command(call).replacen(MODEL_PLACEHOLDER, &name, 1);
     let mut rows = if has_contacts {
         let rescale = Verb::Rescale.call_with_model().with_placeholder(Input::TargetMass, "KG");

@@ -4,7 +4,7 @@ use std::cmp::Reverse;
 use std::collections::BTreeMap;
 
 use osim_inspect::{CheckResult, Counts, FindingWithRemedy, Sign};
-use osim_model::messages::{Phrase, counted, listed, one_line, shown_whole};
+use osim_model::messages::{Input, Verb, counted, listed, one_line, shown_whole};
 use osim_model::{FindingCode, Severity};
 use osim_requests::options::OutputOptions;
 use osim_requests::spell::FrontEnd;
@@ -58,7 +58,7 @@ pub fn text(found: &CheckResult, words: &dyn FrontEnd, layout: Layout) -> String
         let what = match open.code() {
             // Only a mass is missing.
             FindingCode::MassUnknown | FindingCode::MassSourcesDisagree => open.advice.to_string(),
-            code => Phrase::template(&format!("`explain topics={code}`")).spelled(words),
+            code => words.command(&Verb::Explain.call().with_value(Input::Topics, code.as_str())),
         };
         text.push_str(&format!("\n{}", layout.wrapped(&format!("What to do: {what}"), "  ")));
     }
@@ -252,9 +252,8 @@ fn explanations(found: &CheckResult, layout: Layout) -> String {
                 text.push_str(&layout.wrapped(&format!("    {detail}"), "      "));
             }
             if finding.spheres.len() > 1 && finding.details.is_empty() {
-                text.push_str(
-                    &layout.wrapped(&format!("    spheres: {}", finding.spheres.join(", ")), "      "),
-                );
+                let spheres = format!("    spheres: {}", finding.spheres.join(", "));
+                text.push_str(&layout.wrapped(&spheres, "      "));
             }
         }
         text.push_str(&layout.wrapped(&format!("  Why: {}", first.why), "       "));
