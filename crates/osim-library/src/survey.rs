@@ -280,7 +280,7 @@ impl SurveyText {
             }
             (SurveyedModel::Failed(failure), ..) => self.add_failed(name, failure.code),
             (SurveyedModel::WithoutContacts, _, library) => {
-                library.iter_mut().for_each(LibraryTable::add_without_contacts);
+                library.iter_mut().for_each(|table| table.add_without_contacts(name));
             }
         }
         String::new()

@@ -21,8 +21,11 @@ const ROW_INDENT: usize = 18;
 /// The word in the place of a topic, in rows of findings that belong to no topic.
 const ROW_OF_FILE: &str = "file";
 
-/// The largest number of models, and of findings of one rule, that are named. If there are more, the text has their number.
+/// The largest number of findings of one rule that are told one by one. If there are more, the text has their number.
 const MOST_NAMES_LISTED: usize = 3;
+
+/// The largest number of files that are named because they were not checked.
+const MOST_FILES_LISTED: usize = 10;
 
 // Findings of one model, for people.
 
@@ -280,7 +283,7 @@ pub struct LibraryTable {
     steps: Vec<Vec<Request>>,
     /// The number of models that have no error or warning after their steps.
     corrected: usize,
-    without_contacts: usize,
+    without_contacts: Vec<String>,
     not_read: Vec<String>,
 }
 
@@ -323,15 +326,15 @@ impl LibraryTable {
         }
     }
 
-    /// Counts a model in a folder that has no contacts.
-    pub fn add_without_contacts(&mut self) {
-        self.without_contacts += 1;
+    /// Adds a model in a folder that has no contacts.
+    pub fn add_without_contacts(&mut self, model: &str) {
+        self.without_contacts.push(model.to_owned());
     }
 
     /// Adds a model that could not be checked, because of a failure with this code.
     pub fn add_failed(&mut self, model: &str, code: &str) {
         if failure_in_cell(code) == NO_CONTACTS_CELL {
-            self.without_contacts += 1;
+            self.add_without_contacts(model);
         } else {
             self.not_read.push(model.to_owned());
         }
@@ -424,17 +427,17 @@ impl LibraryTable {
 
     /// A sentence about the models that were not checked.
     fn unchecked_in_words(&self) -> String {
-        let without = match self.without_contacts {
-            0 => "none is without contacts".to_owned(),
-            count => format!("{count} without contacts"),
+        let names = |models: &[String]| {
+            let names: Vec<String> = models.iter().map(|name| shown_whole(name).to_string()).collect();
+            listed(&names, MOST_FILES_LISTED)
         };
-        match self.not_read.len() {
-            0 => format!("every file was read; {without}"),
-            count => {
-                let names = self.not_read.iter().map(|name| shown_whole(name).to_string());
-                let names = listed(&names.collect::<Vec<_>>(), MOST_NAMES_LISTED);
-                format!("{count} not read: {names}; {without}")
-            }
+        let without = match self.without_contacts.as_slice() {
+            [] => "none is without contacts".to_owned(),
+            models => format!("{} without contacts: {}", models.len(), names(models)),
+        };
+        match self.not_read.as_slice() {
+            [] => format!("every file was read; {without}"),
+            models => format!("{} not read: {}; {without}", models.len(), names(models)),
         }
     }
 }
@@ -443,10 +446,8 @@ impl LibraryTable {
 fn painted_rows(text: &str, layout: Layout) -> String {
     let mut out = String::new();
     for line in text.split_inclusive('\n') {
-        let mut words = line.split_ascii_whitespace().skip(1);
-        let word = words.next().unwrap_or_default();
-        let found = [Severity::Error, Severity::Warning].into_iter().find(|level| level.as_str() == word);
-        match found {
+        let word = line.split_ascii_whitespace().nth(1).unwrap_or_default();
+        match [Severity::Error, Severity::Warning].into_iter().find(|level| level.as_str() == word) {
             Some(found) => out.push_str(&line.replacen(word, &severity(found, layout.colour), 1)),
             None => out.push_str(line),
         }
