@@ -402,6 +402,17 @@ fn an_output_without_an_ending_causes_a_warning() {
         .usage_error()
         .wrote_nothing()
         .says(&["the folder no/such is not there", "-d DIR"]);
+    dir.run("human.osim --target-mass 80 -o new/")
+        .usage_error()
+        .wrote_nothing()
+        .says(&["the folder new/ is not there", "-d DIR"]);
+}
+
+#[test]
+fn a_zip_archive_as_a_table_is_named_by_what_it_is() {
+    let dir = TestDir::new();
+    dir.write("table.csv", b"PK\x03\x04\0\0");
+    dir.run("batch table.csv -d out").usage_error().says(&["a ZIP archive", "unpack it"]);
 }
 
 #[test]

@@ -82,19 +82,16 @@ pub(crate) fn rescale(request: RescaleRequest, may_inspect: bool, session: &mut 
         };
     }
     // A model alone, perhaps dropped on the program: show something useful.
-    let json = request.run.is_json();
-    let format = if json { SheetFormat::Json } else { SheetFormat::Table };
-    let mut inspect = InspectRequest { format, ..InspectRequest::default() };
+    let format = if request.run.is_json() { SheetFormat::Json } else { SheetFormat::Table };
+    let mut inspect = InspectRequest { format, models: request.models, ..InspectRequest::default() };
     inspect.report.report = request.run.report;
     inspect.report.force = request.output.force;
-    inspect.models = request.models;
-    let mass = request.masses.mass;
+    let mass = request.masses.mass.map(|kg| kg.to_string());
     let RescaleRequest { masses, choice, set_files, answers, .. } = request;
     inspect.options =
         InspectionOptions { masses, choice, set_files, answers, ..InspectionOptions::default() };
     let exit = survey::inspect(&inspect, true, session)?;
     if let Some(kg) = mass {
-        let kg = kg.to_string();
         let text: Phrase = phrase![
             "nothing was scaled: {} is what the model weighs; to scale its contacts, say {}";
             Input::Mass.with_value(kg.as_str()), Input::TargetMass.with_value(kg.as_str())

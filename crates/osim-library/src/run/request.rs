@@ -143,8 +143,10 @@ fn check_options(
             Input::Output, Input::OutputDir.with_placeholder("DIR")
         ]);
     }
-    let is_file = |path: &&PathBuf| path.as_os_str() != "-";
-    if let Some(folder) = output.output.as_ref().filter(is_file).map(|path| folder_of(path))
+    let is_file = |path: &&Path| path.as_os_str() != "-";
+    let ends_folder = |path: &Path| path.to_string_lossy().ends_with(std::path::is_separator);
+    let folder = |path| if ends_folder(path) { path } else { folder_of(path) };
+    if let Some(folder) = output.output.as_deref().filter(is_file).map(folder)
         && !folder.is_dir()
     {
         return refused(phrase![

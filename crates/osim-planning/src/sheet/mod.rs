@@ -48,7 +48,7 @@ impl Sheet {
     pub fn read(bytes: &[u8]) -> Result<Self, String> {
         if bytes.starts_with(ZIP_SIGNATURE) {
             return Err(
-                "the file is a workbook or another packed file that cannot be read here: save it as CSV in UTF-8".to_owned()
+                "the file is a ZIP archive, or a workbook that cannot be read here: unpack it, or save it as CSV in UTF-8".to_owned()
             );
         }
         if bytes.starts_with(b"\xFF\xFE") || bytes.starts_with(b"\xFE\xFF") || bytes.contains(&0) {
