@@ -14,7 +14,8 @@ import { shareDialog } from "./share";
 /** Fills the bar of buttons for the open model: download, keep, undo, redo, report, share. */
 export function actionBar(session: Session): void {
   const bar = byId("acts");
-  const fail = (failure: Failure | undefined) => failure && session.failed.set(failure);
+  // A success ends the failure before it.
+  const fail = (failure: Failure | undefined) => session.failed.set(failure ?? null);
   const share = shareDialog(session);
   const finishedPreview = () => {
     const preview = session.preview.value;

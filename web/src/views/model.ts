@@ -46,9 +46,7 @@ export class ModelView {
     session.models.watch(() => this.#update());
     session.files.watch(() => this.#failure?.refresh());
     session.chosen.watch(() => this.#update());
-    session.failed.watch((failure) => {
-      if (failure) this.#failure?.show(failure);
-    });
+    session.failed.watch((failure) => this.#failure?.show(failure ?? this.#shownModel?.failure ?? undefined));
   }
 
   #update(): void {
@@ -64,7 +62,7 @@ export class ModelView {
     if (!before) this.#takeAnswers(model);
     setText(this.#title, currentFile(model));
     if (before?.steps !== model.steps || before.stepCount !== model.stepCount) this.#showHistory(model);
-    if (before?.failure !== model.failure) this.#failure?.show(model.failure ?? undefined);
+    if (before?.failure !== model.failure || before.inspected !== model.inspected) this.#failure?.show(model.failure ?? undefined);
     this.#section.classList.toggle("broken", model.inspected === null);
     if (model.inspected) this.#showInspected(model.inspected, before?.inspected ?? null);
   }

@@ -18,16 +18,21 @@ export function verdictRows(verdicts: readonly Verdict[], findings: readonly Fin
   const isAsPublished = ({ code, severity }: Finding) => isKnown && severity === "remark" && AS_PUBLISHED.has(code);
   const answers = verdicts.map((verdict) => {
     const its = findings.filter(({ code }) => verdict.codes.includes(code));
-    return { ...verdict, its, published: its.length > 0 && its.every(isAsPublished) };
+    const published = its.length > 0 && its.every(isAsPublished);
+    const order = ({ code }: Finding) => verdict.codes.indexOf(code);
+    const [worst] = its.filter((finding) => !isAsPublished(finding)).sort((one, other) => order(one) - order(other));
+    // The verdict has the text of the worst finding, which may be as published.
+    const other = WORST_FIRST.includes(verdict.sign) && worst && order(worst) > 0 ? { sign: worst.severity, text: worst.message, place: worst.place } : {};
+    return { ...verdict, ...other, its, worst, published };
   });
   const others = findings.filter((finding) => !isAsPublished(finding) && !verdicts.some(({ codes }) => codes.includes(finding.code)));
-  const fileRows = others.map((finding) => ({ on: "file", sign: finding.severity, text: finding.message, place: finding.place, its: [finding] }));
+  const fileRows = others.map((finding) => ({ on: "file", sign: finding.severity, text: finding.message, place: finding.place, its: [finding], worst: finding }));
   const bad = [...answers.filter(({ sign, published }) => !published && WORST_FIRST.includes(sign)), ...fileRows];
   bad.sort((one, other) => WORST_FIRST.indexOf(one.sign) - WORST_FIRST.indexOf(other.sign));
   const good = answers.filter(({ sign, published }) => published || sign === "good");
   const unknown = answers.filter(({ sign }) => sign === "unknown");
   return [
-    ...bad.map(({ on, sign, text, place, its }) => verdictRow(sign, on, withPlace(text, place), el("ul", { class: "findings" }, ...findingItems(its)), open)),
+    ...bad.map(({ on, sign, text, place, its, worst }) => verdictRow(sign, on, withPlace(text, place, worst), el("ul", { class: "findings" }, ...findingItems(its)), open)),
     ...rowOfAnswers("good", good, open), ...rowOfAnswers("unknown", unknown, open),
   ];
 }
@@ -53,9 +58,10 @@ function rowOfAnswers(sign: Verdict["sign"], answers: readonly Answer[], open: R
   return [verdictRow(sign, sign, parts.join("; "), el("ul", { class: "findings" }, ...items, ...remarks), open)];
 }
 
-function withPlace(text: string, place: string | null): string {
+/** A message about spheres names the worst one, or says that it is about all. */
+function withPlace(text: string, place: string | null, finding: Finding | undefined): string {
   const name = place?.split("/").pop() ?? "";
-  return text.includes(name) ? text : `${text} (${name})`;
+  return text.includes(name) || finding?.spheres.length ? text : `${text} (${name})`;
 }
 
 function verdictRow(sign: string, on: string, text: string, body: HTMLElement, open: ReadonlySet<string>): HTMLElement {
