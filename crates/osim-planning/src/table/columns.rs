@@ -219,12 +219,14 @@ fn did_you_mean(cell: &str, known: &BTreeMap<String, Option<CellKind>>) -> Optio
     // What is left of `body` and `bodies`.
     let stem = |word: &str| word.trim_end_matches(['y', 'i', 'e', 's']).to_owned();
     let header = letters_of_header(cell);
+    // What a subject weighs is near to `body_map` and `body_right`.
+    let is_option = ["bodymass", "bodyweight"].iter().all(|own| *own != header);
     // Short names are near to everything: `sex` to `yes`.
     let is_near = |spelling: &String| match strsim::osa_distance(spelling, &header) {
         apart @ ..2 => apart + 3 < header.len(),
         apart => header.len() > 7 && (apart == 2 || stem(spelling) == stem(&header)),
     };
-    let field = known.keys().find(|name| spellings(name).iter().any(is_near))?;
+    let field = known.keys().find(|name| is_option && spellings(name).iter().any(is_near))?;
     // As an option of the command line, where the cell is spelled like one.
     let field = if cell.contains('-') { field.replace('_', "-") } else { field.clone() };
     Some(format!(": did you mean '{field}'?"))
@@ -302,6 +304,9 @@ mod tests {
         let header = ["model", "subject", "age", "sex", "height", "site", "#group", "target-mass"];
         let columns = columns_of(&header).unwrap();
         assert_eq!(columns.unmarked_user_columns(), ["subject", "age", "sex", "height", "site"]);
+        for own in ["Body mass (kg)", "body_weight", "weight", "original mass"] {
+            assert_eq!(columns_of(&["model", own]).unwrap().unmarked_user_columns(), [own]);
+        }
         let header = header.map(str::to_owned);
         assert!(
             Columns::from_header(&header, false)
