@@ -403,9 +403,12 @@ fn no_command_is_proposed_while_masses_disagree() {
     let scaled = report_of("human.scaled.osim");
     assert!(codes_of(&scaled).contains("mass-sources-disagree") && codes_of(&scaled).contains("sunk-in"));
     assert_eq!(commands(&scaled), 0);
-    assert!(scaled.findings.iter().any(|finding| {
-        finding.message.ends_with("--mass 0.0209 gives those for 0.0209 kg")
-    }));
+    assert!(
+        scaled
+            .findings
+            .iter()
+            .any(|finding| { finding.message.ends_with("--mass 0.0209 gives those for 0.0209 kg") })
+    );
     let settled = report_of("human.scaled.osim --mass 0.0209");
     assert!(!codes_of(&settled).contains("sunk-in"));
     // For contacts of a preset under another body, only the scaling is proposed.

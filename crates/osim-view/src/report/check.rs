@@ -24,9 +24,6 @@ const ROW_OF_FILE: &str = "file";
 /// The largest number of findings of one rule that are told one by one. If there are more, the text has their number.
 const MOST_NAMES_LISTED: usize = 3;
 
-/// The largest number of files that are named because they were not checked.
-const MOST_FILES_LISTED: usize = 10;
-
 // Findings of one model, for people.
 
 /// The result of a check as text: the worst finding and the commands that correct it; a row for each topic without a good verdict, and
@@ -429,7 +426,7 @@ impl LibraryTable {
     fn unchecked_in_words(&self) -> String {
         let names = |models: &[String]| {
             let names: Vec<String> = models.iter().map(|name| shown_whole(name).to_string()).collect();
-            listed(&names, MOST_FILES_LISTED)
+            listed(&names, 10)
         };
         let without = match self.without_contacts.as_slice() {
             [] => "none is without contacts".to_owned(),
