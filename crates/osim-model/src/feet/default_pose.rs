@@ -61,7 +61,7 @@ impl DefaultPose {
         });
         let masses = model.bodies().iter().filter_map(|body| Some((body.mass_kg().ok()?, &body.name)));
         let (_, heaviest) = masses.max_by(|a, b| a.0.total_cmp(&b.0))?;
-        let up_in_heaviest = |pose: &Self| Some(pose.direction_in(heaviest, up).ok()?);
+        let up_in_heaviest = |pose: &Self| pose.direction_in(heaviest, up).ok();
         let turned_rad = angle_between(up_in_heaviest(self)?, up_in_heaviest(at_zero)?);
         (turned_rad > FRAC_PI_4).then(|| at_zero.clone())
     }
