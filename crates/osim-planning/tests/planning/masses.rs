@@ -29,7 +29,7 @@ fn a_rescaling_that_moves_soles_by_more_than_5_mm_keeps_them() {
         let text = MODEL_FOR_OTHER_MASS.replace("<mass>88<", trunk);
         let proposed = remedy(&check_text(&text), FindingCode::ContactsOfAnotherMass);
         assert_eq!(proposed["verb"], "rescale", "{trunk}");
-        assert_eq!(proposed.get("level").and_then(|level| level.as_bool()), level, "{trunk}");
+        assert_eq!(proposed.get("level").and_then(serde_json::Value::as_bool), level, "{trunk}");
     }
 }
 
