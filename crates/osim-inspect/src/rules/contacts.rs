@@ -2,7 +2,7 @@
 
 use osim_model::messages::{Input, Phrase, counted, four_significant, phrase, readable};
 use osim_model::{
-    Example, Fault, FaultKind, Finding, MassRequest, MassSource, Model, Pattern, Repair, Selection, Severity, Sphere,
+    Example, Fault, FaultKind, Finding, MassRequest, MassSource, Model, Pattern, Repair, Selection, Severity,
     are_equal_masses,
 };
 use osim_requests::options::{MassOptions, ScalingOptions};
@@ -27,8 +27,7 @@ pub(crate) fn find_bare_model(options: &InspectOptions, model: &Model) -> Option
     // Contacts of another class have a finding of their own.
     let is_bare = matches!(fault.kind, FaultKind::NoContacts { replaces: false, .. });
     is_bare.then(|| {
-        let is_left = |sphere: &&Sphere| sphere.body.is_some() && model.forces().is_empty();
-        let moving = model.spheres().iter().filter(is_left);
+        let moving = model.spheres().iter().filter(|one| one.body.is_some() && model.forces().is_empty());
         let text = format!(
             "no force presses with {}: the model has no contacts",
             counted(moving.clone().count(), "sphere")
