@@ -110,9 +110,9 @@ fn written_properties(class: &str) -> &'static [WrittenProperties] {
         "LinearFunction" => &[(&["coefficients"], OldNumbers(Some(2)), None)],
         "PolynomialFunction" => &[(&["coefficients"], OldNumbers(None), None)],
         "SimmSpline" | "NaturalCubicSpline" | "PiecewiseLinearFunction" | "GCVSpline" => CURVE_TEXTS,
-        "ContactSphere" => &[(&["location"], Numbers(3), ZERO_VECTOR)],
         "ContactEllipsoid" => &[(&["location", "orientation", "radii"], Numbers(3), ZERO_VECTOR)],
-        "ContactHalfSpace" => GEOMETRY_TEXTS,
+        // A NaN in the orientation of a sphere makes its force NaN.
+        "ContactSphere" | "ContactHalfSpace" => GEOMETRY_TEXTS,
         "HuntCrossleyForce" => {
             &[(&["appliesForce"], Flag, Some("true")), (&["isDisabled"], OldFlag, Some("false"))]
         }
@@ -195,7 +195,7 @@ pub(super) fn find_misread_texts(model: &Model) -> Vec<Finding> {
 
 /// Whether poses, masses or contact forces depend on components of the class `tag`.
 fn is_read(tag: &str) -> bool {
-    let others = ["Model", "Ground", "Body", "ContactSphere", "ContactHalfSpace"];
+    let others = ["Model", "Ground", "Body", "ContactSphere", "ContactEllipsoid", "ContactHalfSpace"];
     let forces = [ForceKind::HuntCrossley.as_str(), ForceKind::SmoothSphereHalfSpace.as_str()];
     others.contains(&tag)
         || forces.contains(&tag)

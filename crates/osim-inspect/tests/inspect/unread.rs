@@ -126,6 +126,27 @@ fn one_finding_names_all_objects_of_a_class() {
     assert!(finding.message.to_string().ends_with("; 3 others of this class, too"), "{}", finding.message);
 }
 
+/// In OpenSim 4.6 an ellipsoid is then at 0 0 0, or the force has no value.
+#[test]
+fn places_of_ellipsoids_and_nan_of_spheres_are_errors() {
+    let ellipsoid = include_str!("../../../../fixtures/shapes/ellipsoid.osim");
+    for (text, old, new, code) in [
+        (ellipsoid, "<location>0.01 -0.02 0.003<", "<location>0.01,-0.02,0.003<", FindingCode::OddNumber),
+        (ellipsoid, "<orientation>0 0 0<", "<orientation>0 nan 0<", FindingCode::NotFinite),
+        (
+            TWO_FEET,
+            "<orientation>0 0 0</orientation>\n\t\t\t\t\t<radius>",
+            "<orientation>0 inf 0</orientation><radius>",
+            FindingCode::NotFinite,
+        ),
+    ] {
+        assert!(text.contains(old), "{old}");
+        let model = Model::parse(text.replacen(old, new, 1)).unwrap();
+        let found = model_findings(&model).iter().find(|one| one.code() == code);
+        assert_eq!(found.and_then(|one| one.place.as_deref()), Some("/contactgeometryset/heel_r"), "{new}");
+    }
+}
+
 #[test]
 fn what_opensim_reads_is_not_reported() {
     let force = "<HuntCrossleyForce name=\"contact_r\">";
