@@ -43,7 +43,8 @@ fn refuse_overflowing_references(bytes: &[u8]) -> Result<(), FileError> {
     let Ok(mut archive) = ZipArchive::new(Cursor::new(bytes)) else { return Ok(()) };
     for index in 0..archive.len() {
         let Ok(file) = archive.by_index(index) else { continue };
-        if !file.name().is_ok_and(|name| name.starts_with("xl/worksheets/")) {
+        // A workbook may have its sheets in any folder.
+        if !file.name().is_ok_and(|name| name.ends_with(".xml")) {
             continue;
         }
         let (mut reader, mut buffer) = (quick_xml::Reader::from_reader(BufReader::new(file)), Vec::new());
