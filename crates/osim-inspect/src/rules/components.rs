@@ -73,9 +73,7 @@ pub(super) fn find_irregularities(model: &Model) -> Vec<Finding> {
                     "" => format!(
                         "{socket} of {owner} is empty or missing, expected the path of a body or frame"
                     ),
-                    text => {
-                        format!("{socket} of {owner} is '{text}', and no component has that path or name")
-                    }
+                    text => format!("{socket} of {owner} is '{text}', which is the path of no frame"),
                 };
                 found.push(Finding::at(&SOCKET_NOWHERE, *position, text).with_place(owner));
             }
