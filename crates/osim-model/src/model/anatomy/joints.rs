@@ -173,7 +173,9 @@ fn read_joint(components: &Components, joint: ComponentId) -> Option<ModelJoint>
         Some(child) => {
             let (body, on_body) = joint_end(components, joint, "parent_frame", &["parent_body"])?;
             let there = own_placement(components, joint, "location_in_parent", "orientation_in_parent");
-            let here = own_placement(components, joint, "location", "orientation");
+            let tag = |tags| place_tag(document, element, tags);
+            let place = tag(["location", "location_in_child"]);
+            let here = own_placement(components, joint, place, tag(["orientation", "orientation_in_child"]));
             ((body, on_body.then(&there)), (Some(components.name(child).into_owned()), here))
         }
         None => (
@@ -195,6 +197,17 @@ fn read_joint(components: &Components, joint: ComponentId) -> Option<ModelJoint>
         reversed: old.is_some() && matches!(document.flag(element, "reverse"), Ok(Some(true))),
         motion: OnceLock::new(),
     })
+}
+
+/// The last document version whose joints have their place on the child in `location`.
+const LAST_VERSION_WITH_LOCATION: u32 = 30499;
+
+/// The tag of a joint's place on its child: the later one from 30500 on. In older documents the first of both counts.
+fn place_tag(document: &Document, joint: ElementId, [old, later]: [&'static str; 2]) -> &'static str {
+    let tree = document.tree();
+    let first = tree.children(joint).map(|child| tree.name(child)).find(|tag| [old, later].contains(tag));
+    let is_later = document.version() > LAST_VERSION_WITH_LOCATION || first == Some(later);
+    if is_later { later } else { old }
 }
 
 /// The coordinates that OpenSim itself makes for a joint without coordinates in the file: all are 0, named before the joint has its name.
