@@ -169,7 +169,7 @@ impl ComponentTree {
         let holds_items = match tag {
             "components" => true,
             "objects" => owner_tag.ends_with("Set"),
-            "frames" => owner_tag.ends_with("Joint"),
+            "frames" => ["Joint", "Constraint", "Force"].iter().any(|class| owner_tag.ends_with(class)),
             "Joint" => owner_tag == "Body",
             _ => false,
         };
