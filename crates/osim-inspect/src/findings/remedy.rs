@@ -33,6 +33,8 @@ const PRESET_OF_REMEDIES: &str = "falisse2022";
 
 /// Makes the remedies for one model. A remedy is the request that corrects a finding.
 pub(crate) struct Remedies<'m> {
+    /// The file of the model, also if something else has to be corrected first; `None` for standard input.
+    pub(crate) file: Option<PathBuf>,
     /// The file of the model. `None` for standard input, which cannot be read twice, for a model that cannot be changed, and if something
     /// else has to be corrected first: then there are no remedies.
     model: Option<PathBuf>,
@@ -81,12 +83,23 @@ impl<'m> Remedies<'m> {
             gravity: gravity.and_then(|gravity| Acceleration::new(gravity).ok()),
         };
         let name = || FileName::from_parts(inspected.model.clone(), inspected.model_bytes.clone()).to_path();
-        let model = (inspected.model != "-" && changeable.numbers).then(name);
+        let file = (inspected.model != "-").then(name);
+        let model = file.clone().filter(|_| changeable.numbers);
         let is_counted = inspected.spheres_per_limb.is_some() || stance.spheres.is_some();
         let is_weight_known = inspected.figures.mass_kg.is_some();
         let body_kg = inspected.mass_kg;
         let radii_may_change = !changeable.numbers || changeable.radii;
-        Self { model, load, options, one_modulus, is_counted, is_weight_known, body_kg, radii_may_change }
+        Self {
+            file,
+            model,
+            load,
+            options,
+            one_modulus,
+            is_counted,
+            is_weight_known,
+            body_kg,
+            radii_may_change,
+        }
     }
 
     /// Turns off all remedies, because another fault has to be corrected first, after which these remedies would be wrong.

@@ -26,13 +26,13 @@ rule! { pub(super) CONNECTEE_BY_NAME: ConnecteeByName, Error;
 pub(super) fn connect_sockets(remedies: &Remedies<'_>, model: &Model) -> Option<Request> {
     let can_be_written =
         |one: &Irregularity| matches!(one, Irregularity::TakenByName { socket: Some(_), .. });
-    let models = remedies.models(false)?;
+    let models = vec![remedies.file.clone()?];
     let request = ConvertRequest { models, sockets: true, ..ConvertRequest::default() };
     model.irregularities.iter().any(can_be_written).then(|| request.into())
 }
 
 rule! { pub(super) SOCKET_NOWHERE: SocketNowhere, Error;
-    what: "A socket of a joint or of a frame leads to no component.",
+    what: "The socket of an object leads to no component.",
     why: "OpenSim refuses the model: it looks for the component at the path, and no component has the path or its last name.",
     advice: "Write the path of the frame or body that is meant",
     repair: Repair::NotPossible("only you know what is to be connected"),

@@ -9,23 +9,69 @@ use crate::xml::ElementId;
 /// The first version of documents that write all connections as sockets.
 const FIRST_VERSION_WITH_SOCKETS: u32 = 40000;
 
+/// The name of the socket of a frame that is written in an element `tag`; `None` if the element is none.
+fn frame_socket(tag: &str) -> Option<&str> {
+    let socket = tag.strip_prefix("socket_").filter(|socket| !socket.ends_with(CONNECTEE_ENDING))?;
+    let is_frame = socket == "parent" || ["frame", "body"].iter().any(|word| socket.contains(word));
+    is_frame.then_some(socket)
+}
+
+fn is_joint_or_frame(tag: &str) -> bool {
+    tag == "PhysicalOffsetFrame" || tag.ends_with("Joint")
+}
+
 impl ContactReader<'_> {
     /// Records the sockets of joints and of their frames that lead nowhere. OpenSim refuses such a model.
     pub(super) fn record_sockets_of_joints(&mut self) {
         for (id, _) in self.components.tree.iter() {
             let tag = self.components.tag(id);
             let sockets: &[(&'static str, &[&str])] = match tag {
+                _ if !is_joint_or_frame(tag) => continue,
                 "PhysicalOffsetFrame" => &[("parent", &[])],
-                _ if tag.ends_with("Joint") => {
-                    &[("parent_frame", &["parent_body"]), ("child_frame", &["child_body"])]
-                }
-                _ => continue,
+                _ => &[("parent_frame", &["parent_body"]), ("child_frame", &["child_body"])],
             };
             if self.components.tag(self.components.tree.root_of(id)) != "Model" {
                 continue;
             }
             for &(socket, legacy) in sockets {
                 self.record_socket(id, socket, legacy);
+            }
+        }
+    }
+
+    /// Records the sockets of all other objects, such as path points, markers and constraints, that lead to no frame.
+    pub(super) fn record_other_sockets(&mut self) {
+        let (components, document) = (self.components, self.components.main());
+        let tree = document.tree();
+        let mut sockets = Vec::new();
+        tree.walk(document.data_root(), |element| {
+            sockets.extend(frame_socket(tree.name(element)).map(|socket| (element, socket)));
+            document.is_model() && tree.name(element) != "defaults"
+        });
+        for (element, socket) in sockets {
+            let Some(object) = tree.parent(element) else { continue };
+            let mut above = std::iter::successors(Some(object), |&id| tree.parent(id));
+            let Some(id) = above.find_map(|id| components.at(FileId::MAIN, id)) else { continue };
+            let is_component = components.element(id) == object;
+            let text = tree.text_of(element).into_owned();
+            let is_absolute = text.starts_with('/');
+            // Joints and their frames have been looked at; relative paths of objects inside components are left alone.
+            let is_known = is_joint_or_frame(tree.name(object));
+            let is_relative = !is_component && !is_absolute && (text.contains('/') || text.starts_with('.'));
+            if is_known || is_relative || text.is_empty() {
+                continue;
+            }
+            let connectee = Connectee { text, element, legacy: false };
+            match components.frame_of(id, &connectee) {
+                Some(found) if found.by_name || !(is_component || is_absolute) => {
+                    self.record_component_taken_by_name(id, &connectee, found.component);
+                }
+                Some(_) => {}
+                None => {
+                    let (position, text) = (document.position_of(element), connectee.text);
+                    let (owner, socket) = (components.tree.path(id), socket.to_owned());
+                    self.irregularities.push(Irregularity::LeadsNowhere { owner, socket, text, position });
+                }
             }
         }
     }
@@ -52,7 +98,7 @@ impl ContactReader<'_> {
                 (String::new(), document.position_of(empty.unwrap_or(element)))
             }
         };
-        let owner = self.components.tree.path(id);
+        let (owner, socket) = (self.components.tree.path(id), socket.to_owned());
         self.irregularities.push(Irregularity::LeadsNowhere { owner, socket, text, position });
     }
 
@@ -62,7 +108,7 @@ impl ContactReader<'_> {
         connectee: &Connectee,
         found: Option<ComponentId>,
     ) {
-        if !self.taken_by_name.insert((id, connectee.text.clone())) {
+        if !self.taken_by_name.insert((id, connectee.element, connectee.text.clone())) {
             return;
         }
         let path = found.map_or_else(|| "/ground".to_owned(), |id| self.components.tree.path(id));

@@ -36,8 +36,8 @@ pub(crate) struct ContactReader<'r> {
     pub forces: Vec<Force>,
     pub irregularities: Vec<Irregularity>,
     sphere_components: Vec<ComponentId>,
-    /// Objects with the paths that were resolved by name. Several forces may use one half-space.
-    pub(super) taken_by_name: HashSet<(ComponentId, String)>,
+    /// Objects with the elements and the paths that were resolved by name. Several forces may use one half-space.
+    pub(super) taken_by_name: HashSet<(ComponentId, ElementId, String)>,
 }
 
 impl<'r> ContactReader<'r> {
@@ -71,6 +71,7 @@ impl<'r> ContactReader<'r> {
                 _ => {}
             }
         }
+        self.record_other_sockets();
         Ok(())
     }
 
@@ -451,12 +452,12 @@ pub enum Irregularity {
         socket: Option<ElementId>,
         position: TextPosition,
     },
-    /// The socket of a joint, or of a frame, leads to no component.
+    /// The socket of an object leads to no component.
     LeadsNowhere {
         /// Component path of the object that has the socket.
         owner: String,
         /// Name of the socket, such as `parent_frame`.
-        socket: &'static str,
+        socket: String,
         /// The path as the file writes it; empty if there is none.
         text: String,
         position: TextPosition,
