@@ -152,7 +152,7 @@ fn describe_apart(model: &Model, force: &Force) -> Option<String> {
 }
 
 rule! { pub(super) SPHERE_OF_OTHER_SIDE: SphereOfOtherSide, Warning, Sides;
-    what: "A force of one side presses spheres of both sides.",
+    what: "A force of one side presses a sphere of the other side.",
     why: "Scripts read the force of a foot by the names of its contact forces: the force of one foot then includes a part of the other foot's. No published model has this.",
     advice: "Name the sphere of the force's own side, or move this one to the force of the other side",
     repair: Repair::NotPossible("only you know which sphere is right"),
@@ -162,11 +162,11 @@ rule! { pub(super) SPHERE_OF_OTHER_SIDE: SphereOfOtherSide, Warning, Sides;
 
 /// The message about a force of one side that presses spheres of both sides; `None` if it does not.
 fn describe_other_side(model: &Model, force: &Force) -> Option<String> {
-    let side = Side::of_name(&force.name)?;
+    let side = Side::of_name(force.name.trim_end_matches(|letter: char| letter.is_ascii_digit()))?;
     let spheres = force.spheres().into_iter().filter_map(|id| model.sphere(id));
     let sides = spheres.filter_map(|sphere| Some((sphere, Side::of_name(sphere.body.as_deref()?)?)));
-    let (own, other): (Vec<_>, Vec<_>) = sides.partition(|(_, of_body)| *of_body == side);
-    let (first, of_body) = other.first().filter(|_| !own.is_empty())?;
+    let other: Vec<_> = sides.filter(|(_, of_body)| *of_body != side).collect();
+    let (first, of_body) = other.first()?;
     let more = other_cases_in_words(other.len(), "another sphere, too", "other spheres, too");
     Some(format!(
         "{} presses {}, which is on the {} side{more}",
