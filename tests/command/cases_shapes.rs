@@ -46,6 +46,7 @@ fn what_needs_a_sphere_names_the_ellipsoid() {
         "set ellipsoid.osim radius=0.03 -o out.osim",
         "ellipsoid.osim --target-mass 80 --level -o out.osim",
         "drop-test ellipsoid.osim",
+        "design ellipsoid.osim --indentation 0.1 --mass 80 -o out.osim",
     ] {
         dir.run(call).failed().wrote_nothing().says(&["this needs a sphere; heel_r is an ellipsoid"]);
     }

@@ -8,7 +8,7 @@ use contact_scaling::{
 use osim_model::messages::{Phrase, counted, phrase, readable};
 use osim_model::{
     DissipationBy, Fault, Force, ForceKind, GravityFor, Mass, MissingFact, Model, Note, Property,
-    PropertySet, RadiusRule, Scope, Selected, SetId, are_equal_gravities, is_at_target,
+    PropertySet, RadiusRule, Scope, Selected, SetId, are_equal_gravities, is_at_target, moving_spheres,
 };
 
 use crate::builder::{NewNumber, PlanBuilder, change_composite, scale_with_radius};
@@ -120,6 +120,10 @@ pub fn design(model: &Model, selected: &Selected, wanted: &Design) -> Result<Pla
             wanted.refuse_for_pairs(force)?;
         }
     }
+    // The laws of a design hold for spheres.
+    moving_spheres(model, &selected.forces)
+        .into_iter()
+        .try_for_each(|id| model.round_radius_m(id).map(drop))?;
     let radii = Radii::plan(&mut plan, &selected.forces, |_| rule, 1.0, &properties)?;
     plan.findings.extend(model.remarks_on(&selected.forces));
     let mut rests = Vec::new();
