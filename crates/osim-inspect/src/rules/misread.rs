@@ -7,7 +7,7 @@ use osim_model::{
 };
 
 use crate::rules::numbers::is_default_stiffness;
-use crate::rules::unread::{MeantNames, find_unknown_children, known_children};
+use crate::rules::unread::{FORCE_CLASSES, MeantNames, find_unknown_children, known_children};
 
 /// A function that describes the fault of a value, in words that follow the name of the value; `None` if the value has no fault.
 type DescribeValue = fn(&Value) -> Option<String>;
@@ -49,8 +49,12 @@ enum TextForm {
     /// Numbers that commas may separate and brackets may enclose; the number of them, if it is fixed. OpenSim refuses a model in which it
     /// cannot read them.
     OldNumbers(Option<usize>),
+    /// A list of any count of numbers, which nothing encloses.
+    List,
+    /// One whole number. OpenSim refuses a model in which it cannot read it.
+    OldCount,
 }
-use TextForm::{Flag, Numbers, OldFlag, OldNumbers};
+use TextForm::{Flag, List, Numbers, OldCount, OldFlag, OldNumbers};
 use osim_model::rule;
 
 /// Properties of one form: their tags, the form of the text, and the default in OpenSim. If there is no default, OpenSim refuses the model.
@@ -66,11 +70,23 @@ const FRAME_TEXTS: &[WrittenProperties] = &[(&["translation", "orientation"], Nu
 const JOINT_TEXTS: &[WrittenProperties] = &[
     // Documents before version 4 have the frames of a joint in the joint itself.
     (&["location_in_parent", "orientation_in_parent", "location", "orientation"], OldNumbers(Some(3)), None),
+    (&["location_in_child", "orientation_in_child"], OldNumbers(Some(3)), None),
     (&["reverse"], Flag, Some("false")),
-    (&["radii_x_y_z"], Numbers(3), None),
+    (&["radii_x_y_z", "thoracic_ellipsoid_radii_x_y_z"], Numbers(3), None),
+    (&["scapula_winging_axis_origin"], Numbers(2), Some("0 0")),
+    (&["scapula_winging_axis_direction"], Numbers(1), Some("0")),
+    (&["neutral_angle_x_z_y"], Numbers(3), ZERO_VECTOR),
+    (&["length"], Numbers(1), Some("1")),
 ];
 /// How OpenSim reads the points of a curve.
-const CURVE_TEXTS: &[WrittenProperties] = &[(&["x", "y"], OldNumbers(None), None)];
+const CURVE_TEXTS: &[WrittenProperties] = &[
+    (&["x", "y", "weights"], OldNumbers(None), None),
+    (&["half_order"], OldCount, None),
+    (&["error_variance"], Numbers(1), None),
+];
+/// How OpenSim reads the properties of a step.
+const STEP_TEXTS: &[WrittenProperties] =
+    &[(&["transition_start_time", "transition_end_time", "start_value", "end_value"], Numbers(1), None)];
 /// How OpenSim reads the properties of a constraint that the default pose depends on.
 const CONSTRAINT_TEXTS: &[WrittenProperties] = &[
     (&["isEnforced"], Flag, Some("true")),
@@ -108,14 +124,29 @@ fn written_properties(class: &str) -> &'static [WrittenProperties] {
         "Constant" => &[(&["value"], Numbers(1), None)],
         "MultiplierFunction" => &[(&["scale"], Numbers(1), None)],
         "LinearFunction" => &[(&["coefficients"], OldNumbers(Some(2)), None)],
-        "PolynomialFunction" => &[(&["coefficients"], OldNumbers(None), None)],
-        "SimmSpline" | "NaturalCubicSpline" | "PiecewiseLinearFunction" | "GCVSpline" => CURVE_TEXTS,
+        "PolynomialFunction" => &[(&["coefficients"], List, Some("1"))],
+        "MultivariatePolynomialFunction" => &[(&["coefficients"], List, None)],
+        "Sine" => {
+            &[(&["amplitude", "omega"], Numbers(1), Some("1")), (&["phase", "offset"], Numbers(1), Some("0"))]
+        }
+        "StepFunction" => STEP_TEXTS,
+        _ if class.ends_with("Spline") || class.starts_with("Piecewise") => CURVE_TEXTS,
         "ContactEllipsoid" => &[(&["location", "orientation", "radii"], Numbers(3), ZERO_VECTOR)],
         // A NaN in the orientation of a sphere makes its force NaN.
         "ContactSphere" | "ContactHalfSpace" => GEOMETRY_TEXTS,
         "HuntCrossleyForce" => {
             &[(&["appliesForce"], Flag, Some("true")), (&["isDisabled"], OldFlag, Some("false"))]
         }
+        "ElasticFoundationForce" => &[
+            (&["appliesForce"], Flag, Some("true")),
+            (&["isDisabled"], OldFlag, Some("false")),
+            (&["transition_velocity"], Numbers(1), Some("0.01")),
+        ],
+        "ElasticFoundationForce::ContactParameters" => &[(
+            &["stiffness", "dissipation", "static_friction", "dynamic_friction", "viscous_friction"],
+            Numbers(1),
+            Some("0"),
+        )],
         "SmoothSphereHalfSpaceForce" => &[
             (&["appliesForce"], Flag, Some("true")),
             // As Moco 0.1 to 0.3 wrote them.
@@ -128,6 +159,20 @@ fn written_properties(class: &str) -> &'static [WrittenProperties] {
         _ if class.ends_with("Frame") => FRAME_TEXTS,
         _ if class.ends_with("Joint") => JOINT_TEXTS,
         _ if class.ends_with("Constraint") => CONSTRAINT_TEXTS,
+        _ => &[],
+    }
+}
+
+/// What is in a `TransformAxis` beside its numbers: the function is in an element of its own, or stands there itself.
+const PARTS_OF_AXIS: &[&str] =
+    &["coordinates", "function", "Constant", "LinearFunction", "PolynomialFunction", "SimmSpline"];
+
+/// The classes in a list `tag` of a joint, which is in an element `parent`; none if it is another element.
+fn members_of_list(tag: &str, parent: &str) -> &'static [&'static str] {
+    match (tag, parent) {
+        ("SpatialTransform", _) => &["TransformAxis"],
+        ("objects", "CoordinateSet") => &["Coordinate"],
+        ("coordinates", joint) if joint.ends_with("Joint") => &["Coordinate"],
         _ => &[],
     }
 }
@@ -157,13 +202,18 @@ pub(super) fn find_misread_texts(model: &Model) -> Vec<Finding> {
             // Names of properties are in lower case.
             let is_object = class.starts_with(|letter: char| letter.is_ascii_uppercase());
             let all = if is_object { written_properties(class) } else { &[] };
+            let members = members_of_list(class, parent.map_or("", |parent| tree.name(parent)));
+            found.extend(find_unknown_children(model, component.file, element, (members, &mut meant)));
             if all.is_empty() {
                 return tag != "Model";
             }
             if known_children(document, element).is_none() || class == "Model" {
                 let others: &[&str] = match class {
                     "Body" => &["mass"],
-                    _ if class.ends_with("Joint") => &["frames", "coordinates", "CoordinateSet"],
+                    "TransformAxis" => PARTS_OF_AXIS,
+                    _ if class.ends_with("Joint") => {
+                        &["frames", "coordinates", "CoordinateSet", "SpatialTransform"]
+                    }
                     _ => &[],
                 };
                 let numbers = all.iter().flat_map(|(tags, ..)| tags.iter());
@@ -196,9 +246,8 @@ pub(super) fn find_misread_texts(model: &Model) -> Vec<Finding> {
 /// Whether poses, masses or contact forces depend on components of the class `tag`.
 fn is_read(tag: &str) -> bool {
     let others = ["Model", "Ground", "Body", "ContactSphere", "ContactEllipsoid", "ContactHalfSpace"];
-    let forces = [ForceKind::HuntCrossley.as_str(), ForceKind::SmoothSphereHalfSpace.as_str()];
     others.contains(&tag)
-        || forces.contains(&tag)
+        || FORCE_CLASSES.contains(&tag)
         || ["Frame", "Joint", "Constraint"].iter().any(|ending| tag.ends_with(ending))
 }
 
@@ -226,16 +275,30 @@ fn misread_text(
     if raw.in_one_piece && form.has_decimals_alone(&raw.text) {
         return None;
     }
+    if (document.tree().name(object), tag) == ("ContactSphere", "orientation") {
+        // A sphere may be turned about its centre.
+        let read =
+            opensim_text::triple(&raw.text).filter(|all| !all.iter().all(|angle| angle.is_finite()))?;
+        return Some((&NOT_FINITE, format!("is {}", in_words(&read))));
+    }
     if let Some(read) = raw.in_one_piece.then(|| form.plain_numbers(&raw.text)).flatten() {
         if let Some(text) = unequal_counts(document, object, tag, &raw.text) {
             return Some((&ODD_NUMBER, text));
         }
         // A coordinate may be without bounds.
         let is_fine = |value: &f64| value.is_finite() || (tag == "range" && !value.is_nan());
-        let listed = || format!("is {}", read.iter().map(f64::to_string).collect::<Vec<_>>().join(" "));
+        let listed = || format!("is {}", in_words(&read));
         return (!read.iter().all(is_fine)).then(|| (&NOT_FINITE, listed()));
     }
     let inherited = || document.inherited_element(object, tag).filter(|&inherited| inherited != element);
+    // Of other lists with another count OpenSim refuses the model.
+    if let (OldNumbers(Some(expected)), "coefficients") = (form, tag)
+        && raw.in_one_piece
+        && are_old_numbers(&raw.text, None)
+    {
+        let count = words_of_old_numbers(&raw.text).len();
+        return Some((&ODD_NUMBER, format!("has {count} numbers, expected {expected}")));
+    }
     let read = raw.in_one_piece.then(|| {
         let inherited = || form.read(&document.tree().raw_text(inherited()?).text);
         form.read(&raw.text).or_else(inherited).or(default.map(str::to_owned))
@@ -245,6 +308,10 @@ fn misread_text(
         None => "with which OpenSim refuses the model".to_owned(),
     };
     Some((&ODD_NUMBER, format!("is '{}', {meaning}", shown_text(&raw.text))))
+}
+
+fn in_words(numbers: &[f64]) -> String {
+    numbers.iter().map(f64::to_string).collect::<Vec<_>>().join(" ")
 }
 
 /// Words about a curve whose points have more or fewer numbers `tag` than numbers of the other axis; `None` if they have as many.
@@ -298,6 +365,8 @@ impl TextForm {
             Numbers(count) => plain_numbers(text).filter(|numbers| numbers.len() == count),
             Flag | OldFlag => is_flag().then(Vec::new),
             OldNumbers(count) => are_old_numbers(text, count).then(Vec::new),
+            List => plain_numbers(text),
+            OldCount => text.parse::<u32>().is_ok().then(Vec::new),
         }
     }
 
@@ -309,11 +378,12 @@ impl TextForm {
                 // A vector needs whole vectors, a pair its two numbers.
                 let fits = if count == 2 { all.len() >= 2 } else { all.len() % count == 0 };
                 all.truncate(count);
-                fits.then(|| all.iter().map(f64::to_string).collect::<Vec<_>>().join(" "))
+                fits.then(|| in_words(&all))
             }
             Flag => opensim_text::flag(text).map(|flag| flag.to_string()),
             OldFlag => Some(opensim_text::is_disabled(text).to_string()),
-            OldNumbers(_) => None,
+            List => opensim_text::numbers(text).map(|all| in_words(&all)),
+            OldNumbers(_) | OldCount => None,
         }
     }
 }

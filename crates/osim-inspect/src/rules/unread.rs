@@ -3,6 +3,7 @@
 
 use foldhash::{HashMap, HashMapExt};
 use osim_model::messages::shown;
+use osim_model::xml::Tree;
 use osim_model::{
     Class, ComponentId, Document, ElementId, Example, FileId, Finding, ForceKind, GEOMETRY_CLASSES,
     LAST_VERSION_WITH_IS_DISABLED, Model, Repair, component_classes, nearest_names, opensim_text,
@@ -45,7 +46,7 @@ fn find_body_without_joint(model: &Model) -> Vec<Finding> {
 
 rule! { pub(super) VERSION_AGAINST_FORM: OtherVersion, Error;
     what: "The Version of the document is not that of its form.",
-    why: "Up to version 30504, joints are inside of bodies; later, they are in a JointSet. OpenSim reads a document as its Version says, and then finds no joints.",
+    why: "Joints, connections and muscle paths are written in other ways from version to version. OpenSim reads a document as its Version says, and then does not find them.",
     advice: "Write the version with which the file was saved: the number at its begin was changed",
     repair: Repair::NotPossible("only you know the version with which the file was saved"),
     example: Example::Piece { model: "format/v40000.osim", good: "Version=\"40000\"",
@@ -62,31 +63,47 @@ fn find_version_against_form(model: &Model) -> Vec<Finding> {
         return Vec::new();
     }
     let (tree, version) = (document.tree(), document.version());
-    let members = |set: &str| {
-        let objects = tree.child(document.data_root(), set).and_then(|set| tree.child(set, "objects"));
-        objects.into_iter().flat_map(|objects| tree.children(objects))
+    let joints = || tree.child(tree.child(document.data_root(), "JointSet")?, "objects");
+    let joint = joints().filter(|_| version < FIRST_VERSION_WITH_JOINT_SET).map(|all| tree.children(all));
+    let early = joint
+        .and_then(|mut all| Some((all.next()?, "its joints are in a JointSet, as from 30505 on".into())));
+    let mut late = None;
+    tree.walk(document.data_root(), |id| {
+        let last = last_version_with(tree, id).filter(|last| version > *last);
+        let form = |last| (id, format!("{} is written as in documents up to {last}", tree.name(id)));
+        late = late.take().or(last.map(form));
+        late.is_none() && tree.name(id) != "defaults"
+    });
+    let finding = |(element, form): (ElementId, String)| {
+        let text = format!("the document says Version {version}, and {form}");
+        Finding::at(&VERSION_AGAINST_FORM, document.position_of(element), text)
     };
-    let has_joint = |body: &ElementId| tree.child(*body, "Joint").is_some();
-    let (form, joint) = match version < FIRST_VERSION_WITH_JOINT_SET {
-        true => ("its joints are in a JointSet, as in documents from 30505 on", members("JointSet").next()),
-        false => (
-            "its joints are inside of bodies, as in documents up to 30504",
-            members("BodySet").find(has_joint),
-        ),
+    early.or(late).map(finding).into_iter().collect()
+}
+
+/// The last version whose documents have an element of this form; `None` if all later ones can have it, too.
+fn last_version_with(tree: &Tree, element: ElementId) -> Option<u32> {
+    let above = |steps| {
+        let mut all = std::iter::successors(Some(element), |&id| tree.parent(id));
+        all.nth(steps).map_or("", |id| tree.name(id))
     };
-    let finding = |joint| {
-        let position = document.position_of(joint);
-        Finding::at(
-            &VERSION_AGAINST_FORM,
-            position,
-            format!("the document says Version {version}, and {form}"),
-        )
-    };
-    joint.map(finding).into_iter().collect()
+    let tag = tree.name(element);
+    match tag {
+        "location" if above(2) == "Joint" => Some(30499),
+        "Joint" if above(1) == "Body" => Some(30500),
+        "connectors" => Some(30507),
+        "GeometryPath" if !["path", "components", "objects"].contains(&above(1)) => {
+            let name = tree.attribute(element, "name").unwrap_or_default();
+            (!["", "path"].contains(&&*name)).then_some(40499)
+        }
+        _ if !tag.ends_with("_connectee_name") => None,
+        _ if tag.starts_with("connector_") => Some(30509),
+        _ => tag.starts_with("socket_").then_some(30516),
+    }
 }
 
 rule! { pub(super) MISPLACED_OBJECT: MisplacedObject, Error;
-    what: "A force is in the geometry set, or contact geometry is in the force set.",
+    what: "A force, contact geometry, a joint or a body is in the set of another kind.",
     why: "OpenSim refuses a set with an object of another kind.",
     advice: "Move the object to its own set",
     repair: Repair::NotPossible("only numbers are changed, and the object has to move"),
@@ -98,11 +115,16 @@ fn find_misplaced_objects(model: &Model) -> Vec<Finding> {
     let components = model.components();
     let is_misplaced = |id: ComponentId, set: ComponentId| {
         let tag = components.tag(id);
-        let is_of_other_kind = match components.tag(set) {
-            "ForceSet" => GEOMETRY_CLASSES.contains(&tag),
-            "ContactGeometrySet" => FORCE_CLASSES.contains(&tag),
-            _ => false,
+        let set_of_kind = match tag {
+            "Body" => "BodySet",
+            _ if tag.ends_with("Joint") => "JointSet",
+            _ if GEOMETRY_CLASSES.contains(&tag) => "ContactGeometrySet",
+            _ if FORCE_CLASSES.contains(&tag) => "ForceSet",
+            _ => components.tag(set),
         };
+        let is_of_other_kind = ["BodySet", "JointSet", "ContactGeometrySet", "ForceSet"]
+            .contains(&components.tag(set))
+            && set_of_kind != components.tag(set);
         let tree = components.document_of(id).tree();
         is_of_other_kind
             && tree.parent(components.element(id)).is_some_and(|list| tree.name(list) == "objects")
@@ -167,7 +189,8 @@ fn find_ignored_contacts_in_file(model: &Model, file: FileId) -> Vec<Finding> {
     };
     let is_ignored = |id| is_contact(id) && components.at(file, id).is_none() && !left_out(id);
     let mut ignored = Vec::new();
-    tree.walk(document.data_root(), |id| {
+    // OpenSim reads the first element of a document alone.
+    tree.walk(ElementId::ROOT, |id| {
         ignored.extend(is_ignored(id).then(|| Some((id, tree.parent(id)?))).flatten());
         // Most of a model is muscles, in which no contacts are lost.
         !tree.name(id).ends_with("Muscle")
@@ -188,7 +211,11 @@ fn place_in_words(document: &Document, parent: ElementId) -> String {
     let set = if tree.name(parent) == "objects" { tree.parent(parent).unwrap_or(parent) } else { parent };
     let tag = tree.name(set);
     let first = tree.parent(set).and_then(|above| tree.child(above, tag));
+    let mut above = std::iter::successors(Some(set), |&id| tree.parent(id));
     match first {
+        _ if above.all(|id| id != document.data_root()) => {
+            format!("which is outside of <{}>", tree.name(document.data_root()))
+        }
         Some(first) if first != set => format!("which is in a second <{tag}>: only the first counts"),
         _ if set != parent => format!("which is in a second <objects> of <{tag}>"),
         _ => format!("which is in <{tag}>, outside of its <objects>"),
@@ -204,7 +231,9 @@ rule! { pub(super) UNKNOWN_NAME: UnknownName, Error;
         bad: "<disipation>2.25</disipation>" },
 }
 
-static FORCE_CLASSES: [&str; 3] =
+const PARAMETERS_TAG: &str = "HuntCrossleyForce::ContactParameters";
+const FOUNDATION_TAG: &str = "ElasticFoundationForce::ContactParameters";
+pub(super) static FORCE_CLASSES: [&str; 3] =
     [ForceKind::HuntCrossley.as_str(), ForceKind::SmoothSphereHalfSpace.as_str(), "ElasticFoundationForce"];
 /// Classes of early versions of Moco that OpenSim does not have, with the classes that took their place.
 const RENAMED_CLASSES: [(&str, &str); 1] = [("AckermannVanDenBogert2010Force", "SmoothSphereHalfSpaceForce")];
@@ -225,11 +254,21 @@ fn find_unknown_classes(model: &Model) -> Vec<Finding> {
     let finding = |(file, element)| {
         let tree = components.document(file).tree();
         let class = tree.name(element);
-        let meant =
-            (*known.entry(class).or_insert_with(|| probable_property_name(class, component_classes())))?;
+        let near =
+            || probable_property_name(class, component_classes()).or_else(|| shortened_contact_class(class));
+        let meant = (*known.entry(class).or_insert_with(near))?;
         Some(finding_about_unknown_name(model, file, element, element, meant))
     };
     all.filter_map(finding).collect()
+}
+
+/// The class of contacts of which `class`, which OpenSim does not know, is the begin or the end.
+fn shortened_contact_class(class: &str) -> Option<&'static str> {
+    /// Fewer letters do not say which class is meant.
+    const FEWEST_LETTERS: usize = 10;
+    let mut all = FORCE_CLASSES.into_iter().chain([PARAMETERS_TAG, FOUNDATION_TAG]);
+    let is_known = component_classes().binary_search(&class).is_ok() || class.len() < FEWEST_LETTERS;
+    all.find(|whole| !is_known && *whole != class && (whole.starts_with(class) || whole.ends_with(class)))
 }
 
 /// The finding about the name of `element`, which is in the component at `owner` or is that component.
@@ -266,10 +305,13 @@ fn find_unknown_names_in_file(model: &Model, file: FileId) -> Vec<Finding> {
         found.extend(find_unknown_children(model, file, id, (known, &mut meant)));
         found.extend(ignored_flag(document, id).map(|flag| {
             let path = path_of_component(model, file, id);
-            let text = format!(
-                "isDisabled of {path} is true, but documents from version {} on have appliesForce instead: the force is on",
-                LAST_VERSION_WITH_IS_DISABLED + 1
-            );
+            let tag = tree.name(flag);
+            let text = if document.version() > LAST_VERSION_WITH_IS_DISABLED {
+                let first = LAST_VERSION_WITH_IS_DISABLED + 1;
+                format!("{tag} of {path} is true, but documents from version {first} on have appliesForce instead: the force is on")
+            } else {
+                format!("{tag} of {path} is ignored, because the first of isDisabled and appliesForce counts: the force is on")
+            };
             Finding::at(&UNKNOWN_NAME, document.position_of(flag), text).with_place(&path)
         }));
         true
@@ -291,8 +333,9 @@ pub(super) fn find_unknown_children<'a>(
     let finding = |child| {
         let (class, name) = (tree.name(owner), tree.name(child));
         let meant = (*meant.entry((class, name)).or_insert_with(|| probable_property_name(name, known)))?;
-        tree.child(owner, meant)
-            .is_none()
+        // A list can have other members with the right name.
+        let is_list = ["objects", "coordinates", "SpatialTransform"].contains(&class);
+        (is_list || tree.child(owner, meant).is_none())
             .then(|| finding_about_unknown_name(model, file, owner, child, meant))
     };
     tree.children(owner).filter(|_| !known.is_empty()).filter_map(finding).collect()
@@ -300,7 +343,8 @@ pub(super) fn find_unknown_children<'a>(
 
 /// The properties of contacts, and of the sets around them, directly inside of `id`; `None` if `id` is not one of these.
 pub(super) fn known_children(document: &Document, id: ElementId) -> Option<&'static [&'static str]> {
-    const PARAMETER_SET_TAG: &str = "HuntCrossleyForce::ContactParametersSet";
+    const SET_TAGS: [&str; 2] =
+        ["HuntCrossleyForce::ContactParametersSet", "ElasticFoundationForce::ContactParametersSet"];
     let tree = document.tree();
     let classes = [
         Class::SmoothSphereHalfSpaceForce,
@@ -310,15 +354,15 @@ pub(super) fn known_children(document: &Document, id: ElementId) -> Option<&'sta
     ];
     Some(match tree.name(id) {
         "Model" => &["ForceSet", "ContactGeometrySet", "BodySet", "JointSet", "Ground", "ground"],
-        "ForceSet" | "ContactGeometrySet" | PARAMETER_SET_TAG => &["objects"],
-        "objects" if tree.name(tree.parent(id)?) == PARAMETER_SET_TAG => {
-            &["HuntCrossleyForce::ContactParameters"]
-        }
+        "ForceSet" | "ContactGeometrySet" | "BodySet" | "JointSet" => &["objects"],
+        tag if SET_TAGS.contains(&tag) => &["objects"],
+        "objects" if SET_TAGS.contains(&tree.name(tree.parent(id)?)) => &[PARAMETERS_TAG, FOUNDATION_TAG],
         "objects" | "components" => &[],
-        "HuntCrossleyForce" => {
-            &["appliesForce", "contact_parameters", PARAMETER_SET_TAG, "transition_velocity"]
+        "HuntCrossleyForce" | "ElasticFoundationForce" => {
+            &["appliesForce", "contact_parameters", SET_TAGS[0], SET_TAGS[1], "transition_velocity"]
         }
-        "contact_parameters" => &[PARAMETER_SET_TAG],
+        "contact_parameters" => &SET_TAGS,
+        FOUNDATION_TAG => Class::ContactParameters.element_order(),
         tag => classes.into_iter().find(|class| class.tag() == tag)?.element_order(),
     })
 }
@@ -332,14 +376,19 @@ fn probable_property_name(name: &str, known: &[&'static str]) -> Option<&'static
     old.or_else(|| nearest_names(name, known.iter().copied(), 2).first().copied())
 }
 
-/// The `isDisabled` of a contact force that OpenSim ignores although it would switch the force off.
+/// The flag of a contact force that OpenSim ignores although it would switch the force off.
 fn ignored_flag(document: &Document, force: ElementId) -> Option<ElementId> {
     let tree = document.tree();
-    if document.version() <= LAST_VERSION_WITH_IS_DISABLED || !FORCE_CLASSES.contains(&tree.name(force)) {
+    if !FORCE_CLASSES.contains(&tree.name(force)) {
         return None;
     }
-    let flag =
-        tree.child(force, "isDisabled").filter(|&flag| opensim_text::is_disabled(&tree.text_of(flag)))?;
+    let disabled = tree.child(force, "isDisabled")?;
+    let is_disabled = opensim_text::is_disabled(&tree.text_of(disabled));
     let is_off = document.flag(force, "appliesForce").is_ok_and(|applies| applies == Some(false));
-    (!is_off).then_some(flag)
+    if document.version() > LAST_VERSION_WITH_IS_DISABLED {
+        return (is_disabled && !is_off).then_some(disabled);
+    }
+    let applies = tree.child(force, "appliesForce").filter(|_| is_disabled != is_off)?;
+    let [first, second] = if is_disabled { [applies, disabled] } else { [disabled, applies] };
+    (first < second).then_some(second)
 }

@@ -104,6 +104,46 @@ fn each_kind_is_reported_once_at_its_place() {
             FindingCode::UnknownName,
             Some("/forceset/contact_r"),
         ),
+        (
+            "<Body name=\"pelvis\">",
+            &format!("{force}</HuntCrossleyForce><Body name=\"pelvis\">"),
+            FindingCode::MisplacedObject,
+            Some("/bodyset/contact_r"),
+        ),
+        (
+            "</Model>",
+            "</Model><ForceSet><objects><HuntCrossleyForce name=\"late\"/></objects></ForceSet>",
+            FindingCode::IgnoredContacts,
+            None,
+        ),
+        (
+            set,
+            "<MarkerSet><objects><Marker name=\"m\"><socket_parent_frame>calcn_r</socket_parent_frame></Marker></objects></MarkerSet><ForceSet name=\"forceset\">",
+            FindingCode::ConnecteeByName,
+            Some("/"),
+        ),
+        (
+            force,
+            &format!(
+                "<PathSpring name=\"spring\"><PathPoint><socket_parent_frame>/bodyset/femur</socket_parent_frame></PathPoint></PathSpring>{force}"
+            ),
+            FindingCode::SocketNowhere,
+            Some("/forceset/spring"),
+        ),
+        (
+            force,
+            &format!(
+                "<BushingForce name=\"b\"><frames><PhysicalOffsetFrame name=\"f\"><socket_parent>pelvis</socket_parent></PhysicalOffsetFrame></frames></BushingForce>{force}"
+            ),
+            FindingCode::ConnecteeByName,
+            Some("/forceset/b/f"),
+        ),
+        (
+            force,
+            &format!("<HuntCrossley name=\"other\"></HuntCrossley>{force}"),
+            FindingCode::UnknownName,
+            Some("/forceset/other"),
+        ),
     ] {
         let found = findings(old, new);
         let [finding] = &found[..] else { panic!("{new}: {found:?}") };
@@ -155,6 +195,12 @@ fn what_opensim_reads_is_not_reported() {
         ("40000", "40600"),
         (force, &format!("{force}<isDisabled>false</isDisabled>")),
         (force, &format!("<CoordinateLimitForce name=\"limit\"/>{force}")),
+        (
+            force,
+            &format!(
+                "<BushingForce name=\"b\"><socket_frame1>f</socket_frame1><frames><PhysicalOffsetFrame name=\"f\"><socket_parent>/bodyset/pelvis</socket_parent></PhysicalOffsetFrame></frames></BushingForce>{force}"
+            ),
+        ),
         ("<ContactSphere name=\"heel_r\">", "<!-- <ContactSpere/> --><ContactSphere name=\"heel_r\">"),
         ("<dissipation>2.25</dissipation>", "<damping>1</damping><dissipation>2.25</dissipation>"),
     ] {
@@ -192,4 +238,78 @@ fn an_element_that_names_a_body_takes_no_path() {
     };
     assert!(codes(&path).contains(&FindingCode::ConnecteeByName));
     assert!(!codes(text).contains(&FindingCode::ConnecteeByName));
+}
+
+/// OpenSim 4.6 refuses the documents with a later version, and reads those with the version before it.
+#[test]
+fn a_version_later_than_the_form_of_a_document_is_an_error() {
+    let two_feet = TWO_FEET.replace("<groups />", "<groups><GeometryPath name=\"geometrypath\"/></groups>");
+    for (text, own, last) in [
+        (include_str!("../../../../fixtures/format/v30000.osim"), "30000", 30499),
+        (include_str!("../../../../fixtures/format/v30505.osim"), "30505", 30507),
+        (include_str!("../../../../fixtures/format/v30508.osim"), "30508", 30509),
+        (include_str!("../../../../fixtures/format/v30516.osim"), "30516", 30516),
+        (&two_feet, "40000", 40499),
+    ] {
+        let codes = |version: u32| -> Vec<FindingCode> {
+            let text = text.replacen(own, &version.to_string(), 1);
+            model_findings(&Model::parse(text).unwrap()).iter().map(Finding::code).collect()
+        };
+        assert!(!codes(last).contains(&FindingCode::OtherVersion), "{last}");
+        assert!(codes(last + 1).contains(&FindingCode::OtherVersion), "{last}");
+    }
+}
+
+/// The first of both flags counts in OpenSim 4.6.
+#[test]
+fn a_flag_that_comes_second_is_an_error_if_it_says_otherwise() {
+    let text = include_str!("../../../../fixtures/format/v30000.osim");
+    let (off, on) = ("<appliesForce>false</appliesForce>", "<isDisabled>false</isDisabled>");
+    assert!(text.contains(on));
+    for (flags, is_found) in
+        [(format!("{on}{off}"), true), (format!("{off}{on}"), false), (off.into(), false)]
+    {
+        let model = Model::parse(text.replacen(on, &flags, 1)).unwrap();
+        let mut found = model_findings(&model).iter().filter(|one| one.code() == FindingCode::UnknownName);
+        assert_eq!(found.next().is_some(), is_found, "{flags}");
+    }
+}
+
+/// What OpenSim 4.6 makes of these texts was measured with one function after another in a joint.
+#[test]
+fn numbers_of_functions_and_names_in_joints_are_guarded() {
+    let axis = |function: &str| {
+        format!(
+            "<CustomJoint name=\"hip_r\"><SpatialTransform><TransformAxis name=\"rotation1\">{function}</TransformAxis></SpatialTransform>"
+        )
+    };
+    let polynomial =
+        |text| format!("<PolynomialFunction><coefficients>{text}</coefficients></PolynomialFunction>");
+    for (function, text) in [
+        (polynomial("(0.2 -0.1)"), "OpenSim reads as 1"),
+        (polynomial("0.2,-0.1"), "OpenSim reads as 0.2"),
+        ("<Sine><phase>(0.2)</phase></Sine>".into(), "OpenSim reads as 0"),
+        ("<GCVSpline><half_order>2abc</half_order></GCVSpline>".into(), "OpenSim refuses the model"),
+        (
+            "<PiecewiseConstantFunction><y>0 1;2</y></PiecewiseConstantFunction>".into(),
+            "OpenSim refuses the model",
+        ),
+        (
+            "<LinearFunction><coefficients>1</coefficients></LinearFunction>".into(),
+            "has 1 numbers, expected 2",
+        ),
+        ("<cordinates>hip</cordinates>".into(), "coordinates is meant"),
+        ("<LinearFuncton/>".into(), "LinearFunction is meant"),
+        (polynomial("0.2, -0.1"), ""),
+        ("<GCVSpline><half_order>3</half_order></GCVSpline>".into(), ""),
+    ] {
+        let whole = TWO_FEET.replacen("<PinJoint name=\"hip_r\">", &axis(&function), 1);
+        let model = Model::parse(whole.replacen("</PinJoint>", "</CustomJoint>", 1)).unwrap();
+        let codes = [FindingCode::OddNumber, FindingCode::UnknownName];
+        let found: Vec<_> = model_findings(&model).iter().filter(|one| codes.contains(&one.code())).collect();
+        match text {
+            "" => assert!(found.is_empty(), "{found:?}"),
+            _ => assert!(found.len() == 1 && found[0].message.to_string().ends_with(text), "{found:?}"),
+        }
+    }
 }
