@@ -55,11 +55,13 @@ def damaged(owner, value, draw):
     words = value.split()
     if words[0].lower() in ("true", "false"):
         return draw.choice(["no", "yes", "ja", "", "falsch", "2", "true false"]) if words[0].lower() == "true" else draw.choice(["yes", "on", "t", "ja"])
+    poison = draw.choice(["nan", "inf"])
     if len(words) == 1:
-        return draw.choice([words[0].replace(".", ",") if "." in words[0] else "x", "1e400", "", "\u2212" + words[0].lstrip("-"), "None"])
+        return draw.choice([words[0].replace(".", ",") if "." in words[0] else "x", "1e400", "", "\u2212" + words[0].lstrip("-"), "None", poison])
+    first = [" ".join([word, *words[1:]]) for word in ("x", poison)]
     if owner == "PolynomialFunction":  # with fewer numbers it is another polynomial
-        return draw.choice([" ".join(["x", *words[1:]]), "1,5 2"])
-    return draw.choice([",".join(words), "(" + " ".join(words) + ")", " ".join(words[:-1]), " ".join([*words, "0"]), " ".join(["x", *words[1:]]), ""])
+        return draw.choice([*first, "1,5 2", ",".join(words), "(" + " ".join(words) + ")", "[" + ", ".join(words) + "]"])
+    return draw.choice([*first, ",".join(words), "(" + " ".join(words) + ")", " ".join(words[:-1]), " ".join([*words, "0"]), ""])
 
 
 def is_telling(value):
