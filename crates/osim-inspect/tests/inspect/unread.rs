@@ -313,3 +313,14 @@ fn numbers_of_functions_and_names_in_joints_are_guarded() {
         }
     }
 }
+
+/// OpenSim 4.6 gives both joints to the first body and refuses the model.
+#[test]
+fn a_body_that_was_pasted_twice_with_its_joint_has_none() {
+    let text = include_str!("../../../../fixtures/format/v30000_two_feet.osim");
+    let start = text.find("<Body name=\"calcn_r\">").unwrap();
+    let end = start + text[start..].find("</Body>").unwrap() + "</Body>".len();
+    let model = Model::parse(format!("{}{}", &text[..end], &text[start..])).unwrap();
+    let found = model_findings(&model).iter().find(|one| one.code() == FindingCode::BodyWithoutJoint);
+    assert_eq!(found.and_then(|one| one.place.as_deref()), Some("/bodyset/calcn_r_0"));
+}

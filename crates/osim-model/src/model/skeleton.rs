@@ -169,7 +169,14 @@ impl JointRelations {
         if are_read && !links.is_empty() {
             let ends: HashSet<Carrier> = links.iter().flat_map(|link| link.ends).collect();
             let bodies = components.tree.iter().map(|(id, _)| id).filter(|&id| components.tag(id) == "Body");
-            let bodies = bodies.filter(|&id| !components.is_ground(id) && !ends.contains(&Carrier::Body(id)));
+            // A joint inside of a body is that of the first body of the name.
+            let is_copy = |id| {
+                let has_joint =
+                    components.document_of(id).tree().child(components.element(id), "Joint").is_some();
+                has_joint && components.tree.get(id).is_some_and(|body| body.unnumbered_name.is_some())
+            };
+            let is_loose = |id| is_copy(id) || !ends.contains(&Carrier::Body(id));
+            let bodies = bodies.filter(|&id| !components.is_ground(id) && is_loose(id));
             joined.without_joint = bodies.collect();
         }
         joined.loops = Loops::of(&links);
