@@ -45,7 +45,7 @@ pub(crate) struct Remedies<'m> {
     one_modulus: bool,
     /// Whether the number of spheres that share the weight is known and equal for all limbs.
     pub(crate) is_counted: bool,
-    is_weight_known: bool,
+    knows_weight: bool,
     pub(crate) body_kg: Option<f64>,
     /// Whether radii can be changed: no force outside the change uses the spheres.
     radii_may_change: bool,
@@ -86,20 +86,10 @@ impl<'m> Remedies<'m> {
         let file = (inspected.model != "-").then(name);
         let model = file.clone().filter(|_| changeable.numbers);
         let is_counted = inspected.spheres_per_limb.is_some() || stance.spheres.is_some();
-        let is_weight_known = inspected.figures.mass_kg.is_some();
+        let knows_weight = inspected.figures.mass_kg.is_some();
         let body_kg = inspected.mass_kg;
         let radii_may_change = !changeable.numbers || changeable.radii;
-        Self {
-            file,
-            model,
-            load,
-            options,
-            one_modulus,
-            is_counted,
-            is_weight_known,
-            body_kg,
-            radii_may_change,
-        }
+        Self { file, model, load, options, one_modulus, is_counted, knows_weight, body_kg, radii_may_change }
     }
 
     /// Turns off all remedies, because another fault has to be corrected first, after which these remedies would be wrong.
@@ -184,7 +174,7 @@ impl<'m> Remedies<'m> {
     /// A remedy that takes the contacts of a published model, for the load of the caller or for `stance_limbs` limbs.
     pub(crate) fn transfer_published(&self, stance_limbs: Option<f64>) -> Option<TransferRequest> {
         // A transfer takes the model's own gravity.
-        let is_load_known = self.load.gravity.is_none() && self.is_weight_known && self.is_counted;
+        let is_load_known = self.load.gravity.is_none() && self.knows_weight && self.is_counted;
         let mut request = is_load_known.then(|| self.transfer(PRESET_OF_REMEDIES.into()))??;
         if let Some(limbs) = stance_limbs {
             request.counts.stance_limbs = Some(Count::new(limbs).ok()?);
