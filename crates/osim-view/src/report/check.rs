@@ -21,7 +21,7 @@ const ROW_INDENT: usize = 18;
 /// The word in the place of a topic, in rows of findings that belong to no topic.
 const ROW_OF_FILE: &str = "file";
 
-/// The largest number of findings of one rule that are told one by one. If there are more, the text has their number.
+/// The largest number of findings of one rule that get a row each. If there are more, the text has their number.
 const MOST_NAMES_LISTED: usize = 3;
 
 // Findings of one model, for people.
