@@ -11,6 +11,7 @@ use osim_model::messages::{Dialect, Phrase};
 use osim_model::{FindingCode, Rule, Severity};
 use osim_planning::rules;
 
+use crate::html::fragment::section;
 use crate::report::explain::{self, ErrorCode, equations};
 use crate::report::layout::OUTSIDE_MARK;
 
@@ -102,26 +103,22 @@ fn anchor_of_topic(kind: &str, name: &str) -> String {
 pub(super) fn explained_section(topics: &Topics, dialect: &dyn Dialect) -> String {
     let equations: Vec<&Equation> =
         equations().filter(|equation| topics.equations.contains(equation.label)).collect();
-    let (id, title) = SECTION_HEAD;
-    html! {
-        section id=(id) aria-labelledby="explained-title" {
-            h2 id="explained-title" { (title) }
-            @if !equations.is_empty() {
-                h3 { "Equations" }
-                p { "Numbers are those of the paper (see " a href="#origin" { "Program and citation" } ")." }
-                @for equation in equations { (explained_equation(equation, dialect)) }
-            }
-            @if !topics.codes.is_empty() {
-                h3 { "Findings" }
-                @for rule in rules::with_code(|code| topics.codes.contains(&code)) { (explained_rule(rule, dialect)) }
-            }
-            @if !topics.errors.is_empty() {
-                h3 { "Errors" }
-                @for error in topics.errors.iter().filter_map(|code| explain::error(code)) { (explained_error(error, dialect)) }
-            }
+    let body = html! {
+        @if !equations.is_empty() {
+            h3 { "Equations" }
+            p { "Numbers are those of the paper (see " a href="#origin" { "Program and citation" } ")." }
+            @for equation in equations { (explained_equation(equation, dialect)) }
         }
-    }
-    .0
+        @if !topics.codes.is_empty() {
+            h3 { "Findings" }
+            @for rule in rules::with_code(|code| topics.codes.contains(&code)) { (explained_rule(rule, dialect)) }
+        }
+        @if !topics.errors.is_empty() {
+            h3 { "Errors" }
+            @for error in topics.errors.iter().filter_map(|code| explain::error(code)) { (explained_error(error, dialect)) }
+        }
+    };
+    section(SECTION_HEAD, &body).0
 }
 
 /// The anchor and the explanation of each topic, in the order of the registers.

@@ -44,15 +44,15 @@ impl Fragment {
 
     /// All sections with their headings; with anchors if the page is about one model.
     pub(super) fn html(&self) -> String {
-        let one = |section: &Section| {
-            let (id, title, body) = (section.id, section.title, PreEscaped(&section.html));
+        let one = |part: &Section| {
+            let (id, title, body) = (part.id, part.title, PreEscaped(&part.html));
             if self.detail.is_alone() {
-                html! { section id=(id) aria-labelledby={ (id) "-title" } { h2 id={ (id) "-title" } { (title) } (body) } }
+                section((id, title), &html! { (body) })
             } else {
                 html! { h4 { (title) } (body) }
             }
         };
-        self.sections.iter().map(|section| one(section).0).collect()
+        self.sections.iter().map(|part| one(part).0).collect()
     }
 
     /// A heading inside a section of this model.
@@ -63,6 +63,16 @@ impl Fragment {
             html! { h5 { (text) } }
         }
     }
+}
+
+/// The beginning of a section with this id and title, and its heading.
+pub(super) fn section_opening((id, title): (&str, &str)) -> String {
+    format!("<section id=\"{id}\" aria-labelledby=\"{id}-title\"><h2 id=\"{id}-title\">{title}</h2>")
+}
+
+/// A section of the page with its heading.
+pub(super) fn section(head: (&str, &str), body: &Markup) -> Markup {
+    html! { (PreEscaped(section_opening(head))) (body) (PreEscaped("</section>")) }
 }
 
 /// A table in a box that scrolls if the page is too narrow. Screen readers call it `name`.

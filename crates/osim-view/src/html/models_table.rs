@@ -5,9 +5,9 @@ use osim_model::messages::Dialect;
 
 use crate::html::entry::{Cell, DONE_EARLIER_MARK, Entry};
 use crate::html::explained::{Topics, breakable_path};
-use crate::html::fragment::header_cell;
+use crate::html::fragment::{header_cell, section as titled_section, section_opening};
+use crate::html::plots;
 use crate::html::special_models::ChosenModels;
-use crate::html::{overview, plots};
 
 /// Id and title of the section with the table of models.
 pub(super) const MODELS_SECTION: (&str, &str) = ("models", "Models");
@@ -18,9 +18,6 @@ pub(super) const MODELS_IN_FULL_SECTION: (&str, &str) = ("in-full", "Each model 
 pub(super) const END_OF_FAILURES: &str = "</tbody></table></div>\n";
 /// The end of the table of models and of its section, in HTML.
 pub(super) const END_OF_TABLE: &str = "</tbody></table></div></section>\n";
-/// The beginning of the section that shows each model in full, in HTML.
-pub(super) const BEGIN_OF_DETAILS: &str = "<section id=\"in-full\" aria-labelledby=\"in-full-title\">\
-                                        <h2 id=\"in-full-title\">Each model in full</h2>\n";
 /// The end of a section, in HTML.
 pub(super) const END_OF_SECTION: &str = "</section>\n";
 
@@ -70,20 +67,21 @@ impl Columns {
 
 /// The beginning of the table, before its first row. `left_out` are sentences about models that the page does not show.
 pub(super) fn table_opening(columns: Columns, left_out: &[String]) -> String {
-    let (id, title) = MODELS_SECTION;
-    let before = html! {
-        h2 id="models-title" { (title) }
-        @for text in left_out { p.aside { (text) } }
-    };
+    let remarks = html! { @for text in left_out { p.aside { (text) } } };
+    let headers = [vec!["model"], columns.headers()].concat();
+    let table = opening_of_table(MODELS_SECTION.1, "models", columns.caption(), &headers);
+    format!("{}{}{table}", section_opening(MODELS_SECTION), remarks.0)
+}
+
+/// A table of models up to its first row.
+fn opening_of_table(title: &str, class: &str, caption: &str, headers: &[&str]) -> String {
     let head = html! {
-        caption { span { (columns.caption()) } }
-        thead { tr { th scope="col" { "model" } @for header in columns.headers() { (header_cell(header)) } } }
+        caption { span { (caption) } }
+        thead { tr { @for header in headers { (header_cell(header)) } } }
     };
-    let (before, head) = (before.0, head.0);
     format!(
-        "<section id=\"{id}\" aria-labelledby=\"models-title\">{before}\
-         <div class=\"wide\" role=\"group\" aria-label=\"{title}\" tabindex=\"0\">\
-         <table class=\"models\">{head}<tbody>\n"
+        "<div class=\"wide\" role=\"group\" aria-label=\"{title}\" tabindex=\"0\"><table class=\"{class}\">{}<tbody>\n",
+        head.0
     )
 }
 
@@ -114,30 +112,12 @@ fn table_cell(cell: &Cell) -> Markup {
     }
 }
 
-/// The beginning of the first section, before the table of failed models.
-pub(super) fn overview_opening(counts: &Markup) -> String {
-    let (id, title) = overview::SECTION_HEAD;
-    format!(
-        "<section id=\"{id}\" aria-labelledby=\"glance-title\"><h2 id=\"glance-title\">{title}</h2>{}\n",
-        counts.0
-    )
-}
-
 /// The beginning of the table of failed models, before its first row.
 pub(super) fn failures_opening(columns: Columns) -> String {
     let title = "Failed models";
-    let head = html! {
-        h3 { (title) }
-    };
-    let table = html! {
-        caption { span { (columns.failures_caption()) } }
-        thead { tr { th scope="col" { "model" } (header_cell(" what is wrong")) (header_cell(" code")) } }
-    };
-    let (head, table) = (head.0, table.0);
-    format!(
-        "{head}<div class=\"wide\" role=\"group\" aria-label=\"{title}\" tabindex=\"0\">\
-         <table class=\"models failures\">{table}<tbody>\n"
-    )
+    let headers = ["model", " what is wrong", " code"];
+    let table = opening_of_table(title, "models failures", columns.failures_caption(), &headers);
+    format!("<h3>{title}</h3>{table}")
 }
 
 /// The table row of a model that failed.
@@ -177,27 +157,24 @@ pub(super) fn code(entry: &Entry, topics: &mut Topics) -> Markup {
 pub(super) const SECTION_HEAD: (&str, &str) = ("chosen", "Plots of special models");
 
 pub(super) fn section(chosen: &ChosenModels, dialect: &dyn Dialect) -> Markup {
-    let (id, title) = SECTION_HEAD;
     let models = chosen.models_to_draw();
     let feet = models.iter().any(|(one, _)| !one.drawn.feet.is_empty());
-    html! {
-        section id=(id) aria-labelledby="chosen-title" {
-            h2 id="chosen-title" { (title) }
-            p {
-                (models.len()) " of " (chosen.models) " models are drawn: those with the most findings, the deepest and the \
-                 least deep, the heaviest and the lightest, the most common, and one for each other finding."
-                @if !feet { " Feet are drawn on pages about few models, or about one." }
-            }
-            @for (one, reasons) in &models {
-                div.chosen {
-                    h3 { (breakable_path(&one.model)) }
-                    p { b { "Chosen because: " } (reasons.join("; ")) "." }
-                    @if let Some(drawn) = plots::feet_figure(&one.drawn.feet) { (drawn) }
-                    @if !one.drawn.bodies.is_empty() {
-                        (plots::figures(&one.drawn.bodies, one.drawn.has_reference, dialect))
-                    }
+    let body = html! {
+        p {
+            (models.len()) " of " (chosen.models) " models are drawn: those with the most findings, the deepest and the \
+             least deep, the heaviest and the lightest, the most common, and one for each other finding."
+            @if !feet { " Feet are drawn on pages about few models, or about one." }
+        }
+        @for (one, reasons) in &models {
+            div.chosen {
+                h3 { (breakable_path(&one.model)) }
+                p { b { "Chosen because: " } (reasons.join("; ")) "." }
+                @if let Some(drawn) = plots::feet_figure(&one.drawn.feet) { (drawn) }
+                @if !one.drawn.bodies.is_empty() {
+                    (plots::figures(&one.drawn.bodies, one.drawn.has_reference, dialect))
                 }
             }
         }
-    }
+    };
+    titled_section(SECTION_HEAD, &body)
 }

@@ -11,7 +11,7 @@ use osim_model::{FindingCode, Severity};
 use crate::figures::{self, Indentations};
 use crate::html::entry::{DONE_EARLIER_MARK, Entry};
 use crate::html::explained::{Topics, marked_outside, severity_tag};
-use crate::html::fragment::table;
+use crate::html::fragment::{section, table};
 use crate::html::special_models::{Indentation, is_too_deep};
 
 /// Id and title of the section with the numbers of models and findings.
@@ -126,7 +126,6 @@ impl PageCounts {
 
     /// The chart with x̂ of all models.
     pub(super) fn chart(&self) -> Markup {
-        let (id, title) = CHART_OF_INDENTATIONS;
         let (now, limit) =
             (if self.before.is_empty() { "models" } else { "after" }, limits::INDENTATION.value);
         let states: Vec<Indentations<'_>> =
@@ -136,46 +135,41 @@ impl PageCounts {
                 .collect();
         let above: usize = states.iter().map(|state| figures::count_above_axis(state.indentations)).sum();
         let Some(svg) = figures::indentations(&states) else { return html! {} };
-        html! {
-            section id=(id) aria-labelledby="indentation-title" {
-                h2 id="indentation-title" { (title) }
-                figure {
-                    div.plot { (maud::PreEscaped(svg)) }
-                    figcaption {
-                        "x̂ = x/R of the sphere that sinks in most under the body weight on one limb, by the Hertz law, which \
-                         holds up to " (limit) ". Each curve is sorted by itself, from the smallest value to the largest"
-                        @if self.inspected > self.now.len() { "; " (counted(self.inspected - self.now.len(), "model")) " without a known x̂ left out" }
-                        @if above > 0 { "; " (counted(above, "value")) " above 1 drawn at 1" }
-                        "."
-                        @if !self.before.is_empty() {
-                            " Where the curves before and after are one, scaling kept x̂."
-                        }
-                        @if !self.not_scaled.is_empty() {
-                            " Under the new weight: the old contacts, unchanged."
-                        }
+        let body = html! {
+            figure {
+                div.plot { (maud::PreEscaped(svg)) }
+                figcaption {
+                    "x̂ = x/R of the sphere that sinks in most under the body weight on one limb, by the Hertz law, which \
+                     holds up to " (limit) ". Each curve is sorted by itself, from the smallest value to the largest"
+                    @if self.inspected > self.now.len() { "; " (counted(self.inspected - self.now.len(), "model")) " without a known x̂ left out" }
+                    @if above > 0 { "; " (counted(above, "value")) " above 1 drawn at 1" }
+                    "."
+                    @if !self.before.is_empty() {
+                        " Where the curves before and after are one, scaling kept x̂."
+                    }
+                    @if !self.not_scaled.is_empty() {
+                        " Under the new weight: the old contacts, unchanged."
                     }
                 }
             }
-        }
+        };
+        section(CHART_OF_INDENTATIONS, &body)
     }
 }
 
 /// The section "at a glance" of a page about one model.
 pub(super) fn overview_of_one_model(entry: &Entry, code: &Markup) -> Markup {
-    let (id, title) = SECTION_HEAD;
-    html! {
-        section id=(id) aria-labelledby="glance-title" {
-            h2 id="glance-title" { (title) }
-            @if entry.failed || entry.facts.is_none() {
-                p.aside { b { (entry.model) } ": " (entry.summary) (code) }
-            } @else {
-                ul.counts {
-                    li { (entry.summary) @if entry.earlier { " (done by an earlier run)" } }
-                    @if let Some(facts) = &entry.facts { (depth_item(facts.indentation)) }
-                }
+    let body = html! {
+        @if entry.failed || entry.facts.is_none() {
+            p.aside { b { (entry.model) } ": " (entry.summary) (code) }
+        } @else {
+            ul.counts {
+                li { (entry.summary) @if entry.earlier { " (done by an earlier run)" } }
+                @if let Some(facts) = &entry.facts { (depth_item(facts.indentation)) }
             }
         }
-    }
+    };
+    section(SECTION_HEAD, &body)
 }
 
 fn depth_item(indentation: Indentation) -> Markup {

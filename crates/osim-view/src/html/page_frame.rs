@@ -4,6 +4,8 @@ use maud::{DOCTYPE, Markup, PreEscaped, html};
 use osim_model::messages::Verb;
 use osim_requests::verb_entry;
 
+use crate::html::fragment::section;
+
 const STYLE_SHEET: &str = include_str!("style.css");
 
 /// Id and title of the section with the command that made the page.
@@ -49,15 +51,11 @@ pub(super) fn opening(title: &str, class: &str, sections: &[(&str, &str)]) -> St
 
 /// The purpose of the verb, and the `command` that makes the page again.
 pub(super) fn purpose(verb: Verb, command: &str) -> String {
-    let (id, title) = COMMAND_SECTION;
-    html! {
-        section id=(id) aria-labelledby="asked-title" {
-            h2 id="asked-title" { (title) }
-            p { (verb_entry(verb).purpose) }
-            (command_line(command))
-        }
-    }
-    .0
+    let body = html! {
+        p { (verb_entry(verb).purpose) }
+        (command_line(command))
+    };
+    section(COMMAND_SECTION, &body).0
 }
 
 /// A command in a box. A long command breaks between words, but never after the dashes of an option.
@@ -74,21 +72,17 @@ pub(super) fn command_line(command: &str) -> Markup {
 
 /// The end of the page, after the last model.
 pub(super) fn origin_and_closing() -> String {
-    let (id, title) = ORIGIN_SECTION;
-    let end = html! {
-        section id=(id) aria-labelledby="origin-title" {
-            h2 id="origin-title" { (title) }
-            dl {
-                dt { "Program" } dd { "osim-contact-scale " (env!("CARGO_PKG_VERSION")) }
-                dt { "Cite the paper" }
-                dd { (PAPER_CITATION) " " a href={ "https://doi.org/" (PAPER_DOI) } { "doi:" (PAPER_DOI) } }
-                dt { "Cite the software" }
-                dd { "The osim-contact-scale developers. osim-contact-scale, version " (env!("CARGO_PKG_VERSION")) "." }
-            }
-            p.quiet { "The page holds no date: the same call on the same files gives the same page." }
+    let body = html! {
+        dl {
+            dt { "Program" } dd { "osim-contact-scale " (env!("CARGO_PKG_VERSION")) }
+            dt { "Cite the paper" }
+            dd { (PAPER_CITATION) " " a href={ "https://doi.org/" (PAPER_DOI) } { "doi:" (PAPER_DOI) } }
+            dt { "Cite the software" }
+            dd { "The osim-contact-scale developers. osim-contact-scale, version " (env!("CARGO_PKG_VERSION")) "." }
         }
+        p.quiet { "The page holds no date: the same call on the same files gives the same page." }
     };
-    format!("{}\n</main>\n</body>\n</html>\n", end.0)
+    format!("{}\n</main>\n</body>\n</html>\n", section(ORIGIN_SECTION, &body).0)
 }
 
 #[cfg(test)]
