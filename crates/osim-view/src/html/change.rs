@@ -8,7 +8,7 @@ use osim_patch::{NumberChange, PlaceChange, Plan};
 use osim_planning::{BeforeAfter, ModelFeet};
 
 use crate::html::explained::{Topics, as_sentence, first_names_and_count, severity_tag};
-use crate::html::fragment::{DetailLevel, Fragment, Section, table};
+use crate::html::fragment::{DetailLevel, Fragment, Section, table_if_any};
 use crate::html::inspected::{self, ListedFiles};
 use crate::html::special_models::{DrawnStates, ModelFacts, largest_indentation};
 use crate::html::sphere_figures::{self, ModelState};
@@ -194,9 +194,6 @@ pub(super) fn add_changes_section(fragment: &mut Fragment, plan: &Plan) {
 }
 
 fn table_of_objects(plan: &Plan) -> Markup {
-    if plan.objects().is_empty() {
-        return html! {};
-    }
     let rows = html! {
         @for group in object_groups(plan.objects()) {
             tr {
@@ -208,13 +205,10 @@ fn table_of_objects(plan: &Plan) -> Markup {
         }
     };
     let caption = "Whole objects that are added or removed.";
-    table("Objects", caption, &["class", " change", "number", " names"], &rows)
+    table_if_any("Objects", caption, &["class", " change", "number", " names"], &rows)
 }
 
 fn table_of_numbers(topics: &mut Topics, plan: &Plan) -> Markup {
-    if plan.changes.is_empty() {
-        return html! {};
-    }
     let groups = equal_changes(&plan.changes);
     // Names are shown only if a property has several groups of objects with different numbers.
     let several = properties_in_several_groups(&groups);
@@ -228,7 +222,7 @@ fn table_of_numbers(topics: &mut Topics, plan: &Plan) -> Markup {
     }
     let before = if is_new(plan) { "from" } else { "before" };
     let headers = ["property", " of", before, "after", "factor", "equation"];
-    table("Numbers that change", &caption, &headers, &rows)
+    table_if_any("Numbers that change", &caption, &headers, &rows)
 }
 
 /// One row for all spheres or forces of a group of equal changes: their number, and if `with_names`, the names of the first ones.
@@ -250,9 +244,6 @@ fn row_of_numbers(topics: &mut Topics, group: &[&NumberChange], with_names: bool
 
 fn table_of_new_spheres(plan: &Plan) -> Markup {
     let spheres = plan.new_spheres();
-    if spheres.is_empty() {
-        return html! {};
-    }
     let rows = html! {
         @for sphere in spheres {
             tr {
@@ -264,13 +255,10 @@ fn table_of_new_spheres(plan: &Plan) -> Markup {
         }
     };
     let caption = "New spheres, in m, in the frames of their bodies.";
-    table("New spheres", caption, &["sphere", " on", "radius", "x", "y", "z"], &rows)
+    table_if_any("New spheres", caption, &["sphere", " on", "radius", "x", "y", "z"], &rows)
 }
 
 fn table_of_moves(topics: &mut Topics, moves: &[&PlaceChange]) -> Markup {
-    if moves.is_empty() {
-        return html! {};
-    }
     let rows = html! {
         @for moved in moves {
             tr {
@@ -282,7 +270,7 @@ fn table_of_moves(topics: &mut Topics, moves: &[&PlaceChange]) -> Markup {
     };
     let caption = "Sphere centres that move, in m, in their own frames.";
     let headers = ["centre of", "x before", "y before", "z before", "x after", "y after", "z after", "by"];
-    table("Centres that move", caption, &headers, &rows)
+    table_if_any("Centres that move", caption, &headers, &rows)
 }
 
 fn list_of_findings(topics: &mut Topics, plan: &Plan) -> Markup {

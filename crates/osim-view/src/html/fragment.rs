@@ -92,6 +92,15 @@ pub(super) fn table(name: &str, caption: &str, headers: &[&str], rows: &Markup) 
     scrollable(name, &table)
 }
 
+/// A table, or nothing without rows.
+pub(super) fn table_if_any(name: &str, caption: &str, headers: &[&str], rows: &Markup) -> Markup {
+    if rows.0.is_empty() {
+        html! {}
+    } else {
+        table(name, caption, headers, rows)
+    }
+}
+
 pub(super) fn header_cell(header: &str) -> Markup {
     let class = header.starts_with(' ').then_some("words");
     html! { th class=[class] scope="col" { (header.trim_start_matches(' ')) } }

@@ -8,7 +8,7 @@ use osim_model::messages::{Dialect, four_significant, readable};
 use osim_planning::ModelFeet;
 
 use crate::html::explained::file_name;
-use crate::html::fragment::{DetailLevel, Fragment, Section, table};
+use crate::html::fragment::{DetailLevel, Fragment, Section, table, table_if_any};
 use crate::html::special_models::{DrawnStates, ModelFacts};
 use crate::html::sphere_figures::{self, ModelState};
 use crate::html::{Entry, findings, plots, reference};
@@ -116,9 +116,6 @@ fn beside_real_feet(inspected: &Inspection) -> Markup {
 }
 
 fn table_of_spheres(inspected: &Inspection) -> Markup {
-    if inspected.spheres.is_empty() {
-        return html! {};
-    }
     let places = decimals(&inspected.spheres);
     let metres = |value: f64| metres(value, places);
     let unknown = || ["?", "?", "?"].map(str::to_owned);
@@ -134,7 +131,7 @@ fn table_of_spheres(inspected: &Inspection) -> Markup {
         }
     };
     let caption = "Spheres, in m. The lowest point is in the body's frame, with the body's axes upright.";
-    table("Spheres", caption, &["sphere", " body", " limb", "radius", "lowest x", "y", "z"], &rows)
+    table_if_any("Spheres", caption, &["sphere", " body", " limb", "radius", "lowest x", "y", "z"], &rows)
 }
 
 /// The scale factors of each body, compared with the generic model, if there is one.

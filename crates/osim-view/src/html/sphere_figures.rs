@@ -6,7 +6,7 @@ use maud::{Markup, html};
 use osim_inspect::{Figure, Figures, SphereFigures};
 
 use crate::html::explained::{first_names_and_count, marked_outside};
-use crate::html::fragment::{Fragment, scrollable, table};
+use crate::html::fragment::{Fragment, scrollable, table_if_any};
 use crate::report::extent::Extent;
 use crate::report::inspection::spheres::{
     FigureText, Spheres, UNEVEN_CAPTION, equally_deep, heading, key, limit, value,
@@ -102,12 +102,8 @@ pub(super) fn section(fragment: &mut Fragment, states: &[ModelState<'_>]) {
 
 /// The table of spheres at their own heights; empty if all bottoms are at one height.
 fn own_heights_table(state: &ModelState<'_>) -> Markup {
-    let deep = equally_deep(state.figures, Extent::Brief);
-    if deep.is_empty() {
-        return html! {};
-    }
     let rows = html! {
-        @for row in deep {
+        @for row in equally_deep(state.figures, Extent::Brief) {
             tr {
                 th scope="row" { (row.limb) }
                 @for value in &row.indentation { td { (value) } }
@@ -116,7 +112,12 @@ fn own_heights_table(state: &ModelState<'_>) -> Markup {
         }
     };
     let caption = format!("{}: {UNEVEN_CAPTION}.", state.name);
-    table("Spheres at their own heights", &caption, &["limb", "Hertz", "the model's law", " spheres"], &rows)
+    table_if_any(
+        "Spheres at their own heights",
+        &caption,
+        &["limb", "Hertz", "the model's law", " spheres"],
+        &rows,
+    )
 }
 
 fn sphere_groups<'s>(states: &'s [ModelState<'s>]) -> Vec<SphereGroup<'s>> {

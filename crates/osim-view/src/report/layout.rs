@@ -201,6 +201,11 @@ impl TextTable {
         }
     }
 
+    /// The table in lines, with a `note` below; empty without rows.
+    pub(crate) fn text_if_any(self, columns: Option<usize>, note: &str) -> String {
+        if self.rows.is_empty() { String::new() } else { format!("{}\n{note}", self.into_lines(columns)) }
+    }
+
     /// The table in parts: as many columns as fit, and below them the first column with the next ones.
     fn into_parts(self, columns: usize) -> String {
         let all = self.header.len();

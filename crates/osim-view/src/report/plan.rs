@@ -69,9 +69,6 @@ const MOST_NAMES_IN_CHANGE: usize = 2;
 
 /// The table of added and removed objects, with a row for each class.
 fn table_of_objects(objects: &[ObjectChange], columns: Option<usize>) -> String {
-    if objects.is_empty() {
-        return String::new();
-    }
     let mut table = table(&["objects", "", "class", "names"]);
     for group in object_groups(objects) {
         let count = group.names.len().to_string();
@@ -83,7 +80,7 @@ fn table_of_objects(objects: &[ObjectChange], columns: Option<usize>) -> String 
         ]);
     }
     table.right_aligned(&[1]);
-    format!("{}\n", table.into_lines(columns))
+    table.text_if_any(columns, "")
 }
 
 /// Whether the numbers that change belong to new objects. Then the old numbers are those of the contact from which the new one was made.
@@ -93,9 +90,6 @@ pub fn is_new(plan: &Plan) -> bool {
 
 fn table_of_changes(plan: &Plan, columns: Option<usize>) -> String {
     let changes: &[NumberChange] = &plan.changes;
-    if changes.is_empty() {
-        return String::new();
-    }
     let before = if is_new(plan) { "from" } else { "now" };
     let mut table = table(&["property", "of", before, "new", "factor", "equation"]);
     let groups = equal_changes(changes);
@@ -118,20 +112,14 @@ fn table_of_changes(plan: &Plan, columns: Option<usize>) -> String {
         table.add_row(vec![first.name().to_owned(), of, format!("{from}{mark}"), to, factor, equation]);
     }
     table.right_aligned(&[2, 3, 4]);
-    let mut text = table.into_lines(columns);
-    text.push('\n');
-    if changes.iter().any(|change| change.inserted) {
-        text.push_str("  (* not in the file: OpenSim's default applied; it is written out now)\n");
-    }
-    text
+    let inserted = changes.iter().any(|change| change.inserted);
+    let note = "  (* not in the file: OpenSim's default applied; it is written out now)\n";
+    table.text_if_any(columns, if inserted { note } else { "" })
 }
 
 /// The table of added spheres, with a row for each sphere and its final numbers.
 fn table_of_new_spheres(plan: &Plan, columns: Option<usize>) -> String {
     let spheres = plan.new_spheres();
-    if spheres.is_empty() {
-        return String::new();
-    }
     let largest = spheres.iter().flat_map(|sphere| sphere.centre_m).fold(0.0, largest_of);
     let mut table = table(&["new sphere", "on", "radius", "x", "y", "z"]);
     for sphere in spheres {
@@ -140,15 +128,12 @@ fn table_of_new_spheres(plan: &Plan, columns: Option<usize>) -> String {
         table.add_row(cells);
     }
     table.right_aligned(&[2, 3, 4, 5]);
-    format!("{}\n  (m, in the frame of the body)\n", table.into_lines(columns))
+    table.text_if_any(columns, "  (m, in the frame of the body)\n")
 }
 
 /// The table of sphere centres that move, with a row for each sphere, because moves are rarely alike. New spheres are in another table.
 fn table_of_moves(plan: &Plan, columns: Option<usize>) -> String {
     let moves = moves_of_others(plan);
-    if moves.is_empty() {
-        return String::new();
-    }
     let largest = moves.iter().flat_map(|moved| moved.to).fold(0.0, largest_of);
     let mut table = table(&["centre of", "x", "y", "z", "new x", "new y", "new z", "by"]);
     for moved in moves {
@@ -158,7 +143,7 @@ fn table_of_moves(plan: &Plan, columns: Option<usize>) -> String {
         table.add_row(cells);
     }
     table.right_aligned(&[1, 2, 3, 4, 5, 6]);
-    format!("{}\n  (m, in the frame of the body)\n", table.into_lines(columns))
+    table.text_if_any(columns, "  (m, in the frame of the body)\n")
 }
 
 fn largest_of(largest: f64, coordinate: f64) -> f64 {
