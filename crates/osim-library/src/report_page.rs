@@ -192,7 +192,7 @@ pub fn entry_of_change(
         false => changed.written.describe(),
     };
     let files = osim_view::html::ListedFiles { inputs: inputs.collect(), result, outputs };
-    let mut change = ChangedModelOnPage::of_states(changed.plan, states, files);
+    let mut change = ChangedModelOnPage::new(changed.plan, states, files);
     if let Some(feet) = change.feet.last_mut() {
         feet.add_bones(&changed.opened.model, &changed.task.source.path, None, &Disk);
     }

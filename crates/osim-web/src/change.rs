@@ -181,8 +181,7 @@ impl PlannedChange {
                 let findings = wants("findings").then(|| FindingShown::all(&last.1));
                 // Digests are only for the record.
                 let files = if wants("files") { self.files() } else { ListedFiles::default() };
-                let changed =
-                    osim_view::html::ChangedModelOnPage::of_states(&self.plan, &before_after, files);
+                let changed = osim_view::html::ChangedModelOnPage::new(&self.plan, &before_after, files);
                 let verdicts = wants("findings").then(|| VerdictWithQuestion::all(&last.1.verdicts));
                 (Sections::of_change(changed, wanted, self.words), findings, verdicts)
             }
@@ -245,7 +244,7 @@ impl PlannedChange {
         row.contacts_mass_kg = plan.masses.as_ref().map(|masses| masses.contacts_mass.kg);
         row.target_mass_kg = plan.masses.as_ref().map(|masses| masses.target_mass_kg);
         row.changes = plan.changes.len() + plan.moves.len();
-        let mut shown = osim_view::html::ChangedModelOnPage::of_states(plan, &before_after, self.files());
+        let mut shown = osim_view::html::ChangedModelOnPage::new(plan, &before_after, self.files());
         shown.in_file = !plan.is_empty();
         Ok(osim_view::html::entry_of_changed_model(&row, shown, DetailLevel::Alone, self.words))
     }

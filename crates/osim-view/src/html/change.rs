@@ -1,8 +1,7 @@
 //! The entry and the sections on a page for a model that was changed.
 
 use maud::{Markup, html};
-use osim_inspect::series::ContactBody;
-use osim_inspect::{CheckResult, Figures, Inspection, ReferenceState};
+use osim_inspect::{Figures, Inspection};
 use osim_model::messages::{Dialect, readable};
 use osim_patch::{NumberChange, PlaceChange, Plan};
 use osim_planning::{BeforeAfter, ModelFeet};
@@ -21,57 +20,22 @@ use crate::report::plan::{
 /// A change of a model, and its effects. The texts of the plan, the inspections and the checks are already in the words of the front end.
 pub struct ChangedModelOnPage<'c> {
     pub plan: &'c Plan,
-    /// Inspection and check of the model before the change.
-    pub before: (&'c Inspection, &'c CheckResult),
-    /// Figures of the old contacts under the new weight, if the weight changes.
-    pub before_under_new_weight: Option<&'c Figures>,
-    /// Inspection and check of the new model; `None` if nothing changes.
-    pub after: Option<(&'c Inspection, &'c CheckResult)>,
-    /// The contacts of each state of the model, whose force curves the page plots.
-    pub bodies: Vec<ContactBody>,
+    /// The model before and after the change.
+    pub states: &'c BeforeAfter,
     /// The feet before and after the change, the last ones with bones; empty if feet are not drawn.
     pub feet: Vec<ModelFeet>,
-    /// The model or preset that the contacts come from, if they come from another body.
-    pub reference: Option<&'c ReferenceState>,
     /// The section about the contacts along a recording, from [`recording`](crate::html::recording), if the change follows one.
     pub recording: Option<Section>,
     /// Whether the new model was written to a file.
     pub in_file: bool,
-    /// The gravity that the contacts are scaled to, m/s², if it differs from the gravity of the model.
-    pub target_gravity_m_s2: Option<f64>,
     /// Files that the change read and wrote.
     pub files: ListedFiles,
 }
 
 impl<'c> ChangedModelOnPage<'c> {
-    /// A plan for a model that is not written yet, without the inspection of the new model.
-    pub fn new(plan: &'c Plan, before: (&'c Inspection, &'c CheckResult), files: ListedFiles) -> Self {
-        Self {
-            plan,
-            before,
-            before_under_new_weight: None,
-            after: None,
-            bodies: Vec::new(),
-            feet: Vec::new(),
-            reference: None,
-            recording: None,
-            in_file: false,
-            target_gravity_m_s2: None,
-            files,
-        }
-    }
-
     /// A plan with the model before and after the change. The caller sets `in_file`.
-    pub fn of_states(plan: &'c Plan, states: &'c BeforeAfter, files: ListedFiles) -> Self {
-        Self {
-            before_under_new_weight: states.before_under_new_weight.as_ref(),
-            after: states.after.as_ref().map(|(inspection, check)| (inspection, check)),
-            bodies: states.bodies.clone(),
-            feet: states.feet.clone(),
-            reference: states.reference.as_ref(),
-            target_gravity_m_s2: states.target_gravity_m_s2,
-            ..Self::new(plan, (&states.before.0, &states.before.1), files)
-        }
+    pub fn new(plan: &'c Plan, states: &'c BeforeAfter, files: ListedFiles) -> Self {
+        Self { plan, states, feet: states.feet.clone(), recording: None, in_file: false, files }
     }
 }
 
@@ -83,7 +47,7 @@ pub fn entry_of_changed_model(
     dialect: &dyn Dialect,
 ) -> Entry {
     let mut fragment = Fragment::new(detail);
-    let (facts, plan) = (facts_of_change(&changed), changed.plan);
+    let (facts, plan) = (facts_of_change(changed.states), changed.plan);
     let drawn = add_change_sections(&mut fragment, changed, dialect);
     Entry::of_changed_model(row, plan, facts, drawn, fragment)
 }
@@ -95,11 +59,12 @@ pub(super) fn add_change_sections(
     dialect: &dyn Dialect,
 ) -> DrawnStates {
     add_changes_section(fragment, changed.plan);
-    let (inspected, checked) = changed.before;
+    let states = changed.states;
+    let (inspected, checked) = &states.before;
     if fragment.is_wanted(findings::SECTION_HEAD.0) {
-        match changed.after {
+        match &states.after {
             Some((_, found)) => {
-                let (in_file, gravity_m_s2) = (changed.in_file, changed.target_gravity_m_s2);
+                let (in_file, gravity_m_s2) = (changed.in_file, states.target_gravity_m_s2);
                 let after = findings::NewModelFindings { check: found, in_file, gravity_m_s2 };
                 findings::add_findings_of_change(fragment, checked, &after);
             }
@@ -109,32 +74,32 @@ pub(super) fn add_change_sections(
     if let Some(recording) = &changed.recording {
         fragment.add_section(recording.id, recording.title, &maud::PreEscaped(recording.html.clone()));
     }
-    if let Some(reference) = changed.reference.filter(|_| fragment.is_wanted(reference::SECTION_HEAD.0)) {
-        reference::section(fragment, reference, &changed.bodies);
+    if let Some(reference) = &states.reference
+        && fragment.is_wanted(reference::SECTION_HEAD.0)
+    {
+        reference::section(fragment, reference, &states.bodies);
     }
-    let ChangedModelOnPage { before_under_new_weight, after, reference, .. } = changed;
     let files = inspected::list_of_files(&changed.files);
-    let drawn = drawn_states(changed);
+    let drawn = drawn_states(states, changed.feet);
     if fragment.detail.is_alone() {
         plots::add_sections(fragment, &drawn, dialect);
     }
     if fragment.is_wanted(sphere_figures::SECTION_HEAD.0) {
-        let after = after.map(|(after, _)| after);
-        let mut states = states_of_change(inspected, before_under_new_weight, after);
-        let reference = reference.and_then(|reference| reference.figures.as_ref());
+        let mut shown = states_of_change(inspected, states);
+        let reference = states.reference.as_ref().and_then(|reference| reference.figures.as_ref());
         let state = |figures| ModelState { name: "reference".to_owned(), figures, is_reference: true };
-        states.extend(reference.map(state));
-        sphere_figures::section(fragment, &states);
+        shown.extend(reference.map(state));
+        sphere_figures::section(fragment, &shown);
     }
     fragment.add_section("files", "Files read and written", &files);
     drawn
 }
 
 /// The states of the model for plots, and the reference, if there is one.
-fn drawn_states(changed: ChangedModelOnPage<'_>) -> DrawnStates {
-    let reference = changed.reference.and_then(|reference| reference.body.clone());
-    let has_reference = changed.reference.is_some();
-    let mut drawn = DrawnStates { bodies: changed.bodies, has_reference, feet: changed.feet };
+fn drawn_states(states: &BeforeAfter, feet: Vec<ModelFeet>) -> DrawnStates {
+    let reference = states.reference.as_ref().and_then(|reference| reference.body.clone());
+    let has_reference = states.reference.is_some();
+    let mut drawn = DrawnStates { bodies: states.bodies.clone(), has_reference, feet };
     if !drawn.bodies.is_empty() {
         drawn.bodies.extend(reference);
     }
@@ -142,21 +107,19 @@ fn drawn_states(changed: ChangedModelOnPage<'_>) -> DrawnStates {
 }
 
 /// Numbers about the change for the summary of the page.
-fn facts_of_change(changed: &ChangedModelOnPage<'_>) -> ModelFacts {
-    let (inspected, checked) = changed.after.unwrap_or(changed.before);
-    let mut facts = ModelFacts::new(&inspected.figures, checked, changed.bodies.last());
-    facts.reference = changed.reference.map(reference::in_words);
-    facts.indentation.before = largest_indentation(&changed.before.0.figures);
-    facts.indentation.not_scaled = changed.before_under_new_weight.and_then(largest_indentation);
+fn facts_of_change(states: &BeforeAfter) -> ModelFacts {
+    let (inspected, checked) = states.after.as_ref().unwrap_or(&states.before);
+    let mut facts = ModelFacts::new(&inspected.figures, checked, states.bodies.last());
+    facts.reference = states.reference.as_ref().map(reference::in_words);
+    facts.indentation.before = largest_indentation(&states.before.0.figures);
+    facts.indentation.not_scaled = states.before_under_new_weight.as_ref().and_then(largest_indentation);
     facts
 }
 
-fn states_of_change<'s>(
-    before: &'s Inspection,
-    under_new_weight: Option<&'s Figures>,
-    after: Option<&'s Inspection>,
-) -> Vec<ModelState<'s>> {
-    let last = after.map_or(under_new_weight, |after| Some(&after.figures));
+fn states_of_change<'s>(before: &'s Inspection, changed: &'s BeforeAfter) -> Vec<ModelState<'s>> {
+    let under_new_weight = changed.before_under_new_weight.as_ref();
+    let after = changed.after.as_ref().map(|(after, _)| &after.figures);
+    let last = after.or(under_new_weight);
     let other_gravity = last.is_some_and(|last| last.gravity_m_s2 != before.figures.gravity_m_s2);
     let under = |word: &str, figures: &Figures| match (figures.mass_kg, figures.gravity_m_s2) {
         (Some(mass), Some(gravity)) if other_gravity => {
@@ -168,7 +131,7 @@ fn states_of_change<'s>(
     let state = |word, figures| ModelState { name: under(word, figures), figures, is_reference: false };
     let mut states = vec![state("before", &before.figures)];
     states.extend(under_new_weight.map(|figures| state("before", figures)));
-    states.extend(after.map(|after| state("after", &after.figures)));
+    states.extend(after.map(|figures| state("after", figures)));
     // If all contacts were added or removed, one state has no spheres and is left out.
     if states.iter().any(|state| state.figures.spheres().next().is_some()) {
         states.retain(|state| state.figures.spheres().next().is_some());

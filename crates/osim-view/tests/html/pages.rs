@@ -3,7 +3,7 @@
 use osim_inspect::InspectOptions;
 use osim_model::files::{Failure, OpenModel};
 use osim_model::messages::Verb;
-use osim_planning::ModelFeet;
+use osim_planning::{BeforeAfter, ModelFeet};
 use osim_requests::spell::{CommandLine, FrontEnd, Python};
 use osim_view::html::{
     ChangedModelOnPage, Columns, DeferredParts, DetailLevel, EarlierRun, Entry, InspectedModelOnPage,
@@ -120,12 +120,21 @@ fn a_change_is_shown_before_and_after() {
     let model = open("table1/human_62kg_smooth_sphere.osim");
     let plan = rescaled(&model.model, 500.0, &CommandLine);
     let options = InspectOptions::default();
-    let (before, found) = support::inspected(&options, &model, &CommandLine);
+    let states = BeforeAfter {
+        before: support::inspected(&options, &model, &CommandLine),
+        before_under_new_weight: None,
+        after: None,
+        bodies: Vec::new(),
+        feet: Vec::new(),
+        reference: None,
+        recording: None,
+        target_gravity_m_s2: None,
+    };
     let mut row = RunRow::new(&**model.name(), "dry run: nothing written");
     row.contacts_mass_kg = Some(62.0);
     row.target_mass_kg = Some(500.0);
     row.changes = plan.changes.len();
-    let change = || ChangedModelOnPage::new(&plan, (&before, &found), ListedFiles::default());
+    let change = || ChangedModelOnPage::new(&plan, &states, ListedFiles::default());
     let one = entry_of_changed_model(&row, change(), DetailLevel::Alone, &CommandLine);
     let text = page_text(head_of_changes(Some(model.name())), &CommandLine, [one]);
     assert!(text.contains("<h2 id=\"changes-title\">What changed</h2>"));
