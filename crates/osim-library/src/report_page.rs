@@ -208,7 +208,8 @@ pub fn entry_of_record(record: &Record, earlier: bool) -> Entry {
     if !earlier {
         let error = record.error_code.as_ref().zip(record.error.as_ref());
         let error = error.map(|(code, message)| {
-            RowError::new(code.as_str(), message.as_str()).at(record.line, record.column)
+            let (code, message) = (code.clone(), message.clone());
+            RowError { code, message, line: record.line, column: record.column }
         });
         return Entry::of_row(&row_of_record(record), error.as_ref());
     }

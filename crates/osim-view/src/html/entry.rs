@@ -297,15 +297,3 @@ impl RunRow {
         vec![masses.into(), self.changes.to_string().into()]
     }
 }
-
-impl RowError {
-    /// An error without a place in a file.
-    pub fn new(code: impl Into<String>, message: impl Into<String>) -> Self {
-        Self { code: code.into(), message: message.into(), line: None, column: None }
-    }
-
-    /// The error at a line and column of its file.
-    pub fn at(self, line: Option<usize>, column: Option<usize>) -> Self {
-        Self { line, column, ..self }
-    }
-}

@@ -212,7 +212,8 @@ fn rows_say_what_became_of_models_that_are_not_shown() {
         unequal_factors: vec!["radius".to_owned()],
         ..EarlierRun::default()
     };
-    let error = RowError::new("no-mass", "body 'a' has no mass").at(Some(4), Some(2));
+    let (code, message) = ("no-mass".to_owned(), "body 'a' has no mass".to_owned());
+    let error = RowError { code, message, line: Some(4), column: Some(2) };
     let entries = [
         Entry::of_earlier_record(&row, &earlier),
         Entry::of_row(&RunRow::new("c.osim", "failed"), Some(&error)),
