@@ -39,7 +39,8 @@ fn assert_same_sweep(words: &str, json: &Value) {
         String::from_utf8(table.into_inner().unwrap()).unwrap()
     );
     let record = SweepRecord::new(&FileName::from(path.as_path()), Path::new("out"), Some(&manifest));
-    assert_eq!(line(&record.with_points(plan.count(), None).with_counts(plan.count(), 0)), run.out());
+    let record = SweepRecord { points: plan.count(), models: plan.count(), ..record };
+    assert_eq!(line(&record), run.out());
 }
 
 #[test]

@@ -28,6 +28,6 @@ pub use source::{
     workbook_as_csv,
 };
 pub use survey::{Survey, SurveyText, SurveyedModel};
-pub use sweep::{OtherModels, SameContacts, SweepEnd, SweepFrontEnd, SweepRun};
+pub use sweep::{OtherModels, SameContacts, SweepEnd, SweepRun};
 pub use workers::work_in_order;
 pub use write::{OutputFolders, PendingFile, WriteMode, write_files};

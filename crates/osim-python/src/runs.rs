@@ -7,7 +7,7 @@ use osim_library::run::{
     ChangedModel, CheckedRows, JsonRecord, ModelDetail, ModelOutcome, Record, RowReader, Run, RunFrontEnd,
     RunRequest, Task,
 };
-use osim_library::{LibraryFault, SweepFrontEnd, SweepRun, folder_of};
+use osim_library::{LibraryFault, SweepRun, folder_of};
 use osim_model::files::{Failure, Files};
 use osim_planning::prepare;
 use osim_requests::Request;
@@ -167,16 +167,6 @@ pub(crate) fn lines(py: Python<'_>, records: Vec<JsonRecord>, remarks: Vec<Strin
 
 // `sweep`: variants of a model in a folder, and the table of what is in which.
 
-impl SweepFrontEnd for ProgressCallback {
-    fn is_interrupted(&self) -> bool {
-        self.is_stopped()
-    }
-
-    fn variant_done(&self, _failed: bool) {
-        // Called on the threads that do the work, where Python must not be called: it would hold all of them up.
-    }
-}
-
 /// Results of a sweep: its record, the path of its table, and a record for each variant that could not be made.
 type SweepResult<'py> = (Bound<'py, PyAny>, Option<PathBuf>, Vec<Bound<'py, PyAny>>);
 
@@ -194,20 +184,22 @@ pub(crate) fn sweep<'py>(
         sweep.check_ends()?;
         let mut failures: Vec<Failure> = Vec::new();
         if request.dry_run {
-            let record = sweep.record(None).with_counts(sweep.count(), 0);
-            return Ok(((serde_json::to_value(&record), None), failures));
+            return Ok(((serde_json::to_value(sweep.record(None)), None), failures));
         }
         let watch = ProgressCallback::new(callback);
-        let end = sweep.run(&watch, |failure| {
-            let failed = failure.is_some();
-            failures.extend(failure);
-            watch.model_done(failed);
-        });
+        // Python must not be called on the threads that do the work: it would hold all of them up.
+        let end = sweep.run(
+            || watch.is_stopped(),
+            |_| (),
+            |failure| {
+                let failed = failure.is_some();
+                failures.extend(failure);
+                watch.model_done(failed);
+            },
+        );
         watch.check_stopped()?;
         let end = end?;
-        let record = sweep.record(end.manifest.as_deref());
-        let record = record.with_counts(end.made + end.earlier, end.failed).with_done_before(end.earlier);
-        Ok(((serde_json::to_value(&record), end.manifest), failures))
+        Ok(((serde_json::to_value(sweep.record(Some(&end))), end.manifest), failures))
     })?;
     let record = record.map_err(|error| Problem::defect(error.to_string()).into_error(py))?;
     let failures =

@@ -3,7 +3,7 @@
 //! Count and size are reported first; then each variant is made, written, and read again from its own bytes for the table.
 
 use anyhow::Result;
-use osim_library::{SweepEnd, SweepFrontEnd, SweepRun};
+use osim_library::{SweepEnd, SweepRun};
 use osim_model::YesQuestion;
 use osim_model::files::Failure;
 use osim_model::messages::Input;
@@ -16,16 +16,6 @@ use crate::exit::{self, Exit};
 use crate::session::Session;
 use crate::terminal::Progress;
 
-impl SweepFrontEnd for Progress {
-    fn is_interrupted(&self) -> bool {
-        exit::stop_is_requested()
-    }
-
-    fn variant_done(&self, failed: bool) {
-        self.count_model(failed);
-    }
-}
-
 /// Makes all variants of the request.
 ///
 /// # Errors
@@ -36,7 +26,6 @@ pub(crate) fn run(request: &SweepRequest, session: &mut Session) -> Result<Exit>
     sweep.check_ends().map_err(|error| session.refuse(error, json))?;
     print_number_of_variants(&sweep, request, session)?;
     if request.dry_run {
-        let record = sweep.record(None).with_counts(sweep.count(), 0);
         let text = match sweep.is_large() {
             true => format!(
                 "dry run: nothing written; more than 10,000 models need {}\n",
@@ -44,7 +33,7 @@ pub(crate) fn run(request: &SweepRequest, session: &mut Session) -> Result<Exit>
             ),
             false => "dry run: nothing written\n".to_owned(),
         };
-        return report(&record, &text, request, session).map(|()| Exit::Done);
+        return report(&sweep.record(None), &text, request, session).map(|()| Exit::Done);
     }
     let end = make_variants(&sweep, request, session)?;
     if end.worse > 0 {
@@ -61,9 +50,7 @@ pub(crate) fn run(request: &SweepRequest, session: &mut Session) -> Result<Exit>
             "remark: stopped: {made} of {count} models are made; to continue, repeat the command with {resume}\n"
         ))?;
     }
-    let record = sweep.record(end.manifest.as_deref());
-    let record = record.with_counts(end.made + end.earlier, end.failed).with_done_before(end.earlier);
-    report(&record, &text_after_sweep(&sweep, request, &end), request, session)?;
+    report(&sweep.record(Some(&end)), &text_after_sweep(&sweep, request, &end), request, session)?;
     Ok(match (end.not_begun, end.failed) {
         (0, 0) => Exit::Done,
         (0, _) => Exit::Failed,
@@ -107,7 +94,7 @@ fn make_variants(sweep: &SweepRun<'_>, request: &SweepRequest, session: &mut Ses
             not_printed.get_or_insert(error);
         }
     };
-    let end = sweep.run(&watch, report);
+    let end = sweep.run(exit::stop_is_requested, |failed| watch.count_model(failed), report);
     watch.end();
     let end = end.map_err(|fault| session.file_error(&fault))?;
     not_printed.map_or(Ok(end), Err)

@@ -24,15 +24,6 @@ use crate::sweep::tables::{SweepTables, WrittenFiles, csv_line};
 use crate::workers::{thread_count, work_in_order};
 use crate::write::{OutputFolders, PendingFile, WriteMode};
 
-/// A front end that starts a sweep. Threads of the sweep call its methods.
-pub trait SweepFrontEnd: Sync {
-    /// Whether no further variant should be started.
-    fn is_interrupted(&self) -> bool;
-
-    /// Is called after each variant of the sweep, for a progress bar; `failed` says whether it failed.
-    fn variant_done(&self, failed: bool);
-}
-
 /// A sweep whose request was checked; nothing is written yet.
 pub struct SweepRun<'s> {
     request: &'s SweepRequest,
@@ -121,10 +112,15 @@ impl<'s> SweepRun<'s> {
         self.request.is_large()
     }
 
-    /// The record of this sweep before its variants are counted.
-    pub fn record(&self, manifest: Option<&Path>) -> SweepRecord {
+    /// The record of this sweep after its `end`, or of what it would make.
+    pub fn record(&self, end: Option<&SweepEnd>) -> SweepRecord {
+        let manifest = end.and_then(|end| end.manifest.as_deref());
         let record = SweepRecord::new(self.plan.model().name(), &self.folder, manifest);
-        record.with_points(self.points(), self.point_file())
+        let (points, file) = (self.points(), self.point_file());
+        let planned = (self.count(), 0, 0);
+        let (models, done_before, failed) =
+            end.map_or(planned, |end| (end.made + end.earlier, end.earlier, end.failed));
+        SweepRecord { points, file, models, done_before, failed, ..record }
     }
 
     /// The size of the model's file, in bytes.
@@ -146,13 +142,15 @@ impl<'s> SweepRun<'s> {
     }
 
     /// Makes the variants of this run. Calls `report` for each variant in order, on this thread, with a failure if the variant could not
-    /// be made. [`SweepFrontEnd::is_interrupted`] ends the sweep early.
+    /// be made. `is_interrupted` ends the sweep early. `variant_done` is called on the threads that do the work, after each variant, with
+    /// whether it failed.
     ///
     /// # Errors
     /// A file of a variant exists already, or the table cannot be written.
-    pub fn run<F: SweepFrontEnd>(
+    pub fn run(
         &self,
-        front_end: &F,
+        is_interrupted: impl Fn() -> bool + Sync,
+        variant_done: impl Fn(bool) + Sync,
         mut report: impl FnMut(Option<Failure>),
     ) -> Result<SweepEnd, LibraryFault> {
         let mut end = SweepEnd::default();
@@ -173,8 +171,9 @@ impl<'s> SweepRun<'s> {
         };
         table.add_bytes(&csv_line(&self.plan.table_header())?)?;
         let work = |&index: &usize| {
-            let made = self.make_variant(index, &files, front_end);
-            front_end.variant_done(matches!(made, VariantOutcome::Failed(_)));
+            let made =
+                if is_interrupted() { VariantOutcome::NotBegun } else { self.make_variant(index, &files) };
+            variant_done(matches!(made, VariantOutcome::Failed(_)));
             made
         };
         // The number of the first variant for each digest of contacts.
@@ -251,15 +250,7 @@ impl<'s> SweepRun<'s> {
     }
 
     /// Makes and writes one variant.
-    fn make_variant(
-        &self,
-        index: usize,
-        files: &WrittenFiles,
-        front_end: &impl SweepFrontEnd,
-    ) -> VariantOutcome {
-        if front_end.is_interrupted() {
-            return VariantOutcome::NotBegun;
-        }
+    fn make_variant(&self, index: usize, files: &WrittenFiles) -> VariantOutcome {
         let name = self.plan.file_name(index);
         let path = self.folder.join(&name);
         let variant = match self.plan.make(index) {

@@ -167,19 +167,4 @@ impl SweepRecord {
     pub fn new(model: &FileName, folder: &Path, manifest: Option<&Path>) -> Self {
         (model, folder, manifest).into()
     }
-
-    /// Adds the number of points, and the file of the point that the request names.
-    pub fn with_points(self, points: usize, file: Option<String>) -> Self {
-        Self { points, file, ..self }
-    }
-
-    /// Adds the number of models that were made, and of models that could not be made.
-    pub fn with_counts(self, models: usize, failed: usize) -> Self {
-        Self { models, failed, ..self }
-    }
-
-    /// Adds the number of its models that an earlier sweep had made.
-    pub fn with_done_before(self, done_before: usize) -> Self {
-        Self { done_before, ..self }
-    }
 }
