@@ -7,14 +7,14 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use contact_scaling::equations;
 use contact_scaling::modulus::MixingRule;
+use contact_scaling::{continuation, equations};
 
 #[path = "../crates/osim-python/src/scaling/mod.rs"]
 mod scaling;
 
 use scaling::{
-    Function, MEAN_SQUARE_RADIUS, MIXING_RULES, SPHERE_LIST_FUNCTIONS, continuation_steps, rule_by_name,
+    EquationError, Function, MEAN_SQUARE_RADIUS, MIXING_RULES, SPHERE_LIST_FUNCTIONS, rule_by_name,
 };
 
 /// Inputs of each function of `contact-scaling`, and its values in 50-digit arithmetic.
@@ -379,14 +379,14 @@ fn a_list_of_radii_has_one_mean_square() {
 
 #[test]
 fn continuation_steps_end_at_the_wanted_contact() {
-    let ladder = continuation_steps(1.2, 9.375, 8.0, 3).unwrap();
+    let ladder = continuation::steps(1.2, 9.375, 8.0, 3).unwrap();
     // Equally far apart in the logarithm: √(1.2 · 9.375); (1.2 / 9.375)^(3/2) = 0.128^1.5; √8.
-    assert_eq!(ladder.dimensionless_stiffness.len(), 3);
-    assert_close(ladder.dimensionless_stiffness[1], 11.25_f64.sqrt(), "stiffness");
-    assert!((ladder.modulus_factor[0] - 0.045_794_65).abs() < 5e-8);
-    assert_close(ladder.dissipation_factor[1], 8.0_f64.sqrt(), "dissipation");
-    assert_eq!((ladder.modulus_factor[2], ladder.dissipation_factor[2]), (1.0, 1.0));
-    let failure = continuation_steps(2.0, 1.0, 8.0, 3).unwrap_err();
+    assert_eq!(ladder.len(), 3);
+    assert_close(ladder[1].dimensionless_stiffness, 11.25_f64.sqrt(), "stiffness");
+    assert!((ladder[0].modulus_factor - 0.045_794_65).abs() < 5e-8);
+    assert_close(ladder[1].dissipation_factor, 8.0_f64.sqrt(), "dissipation");
+    assert_eq!((ladder[2].modulus_factor, ladder[2].dissipation_factor), (1.0, 1.0));
+    let failure = EquationError::from(continuation::steps(2.0, 1.0, 8.0, 3).unwrap_err());
     assert!(failure.to_string().contains("dimensionless stiffness of the first step is 2.0"), "{failure}");
 }
 

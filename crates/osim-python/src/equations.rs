@@ -1,5 +1,6 @@
 //! The equations for arrays. Python broadcasts the arrays and hands over the bytes of their numbers.
 
+use contact_scaling::continuation::{self, Step};
 use pyo3::exceptions::PyOverflowError;
 use pyo3::prelude::*;
 use pyo3::pybacked::PyBackedBytes;
@@ -8,8 +9,7 @@ use pyo3::types::PyByteArray;
 use crate::calls_into_rust::without_gil;
 use crate::problem::Problem;
 use crate::scaling::{
-    EquationError, MEAN_SQUARE_RADIUS, MIXING_RULES, Parameter, SPHERE_LIST_FUNCTIONS, all,
-    continuation_steps, rule_by_name,
+    EquationError, MEAN_SQUARE_RADIUS, MIXING_RULES, Parameter, SPHERE_LIST_FUNCTIONS, all, rule_by_name,
 };
 
 /// The placeholder in a message for the indices of an array's element: only Python knows the shapes of its arrays.
@@ -113,11 +113,16 @@ pub(crate) fn steps(
             return Ok((None, Some((Some("count"), None, message))));
         }
     };
-    let ladder = without_gil(py, || Ok(continuation_steps(first, last, dissipation_ratio, count)))?;
-    Ok(value_or_refusal(
-        ladder
-            .map(|ladder| (ladder.dimensionless_stiffness, ladder.modulus_factor, ladder.dissipation_factor)),
-    ))
+    let steps = without_gil(py, || Ok(continuation::steps(first, last, dissipation_ratio, count)))?;
+    let columns = |steps: Vec<Step>| {
+        let column = |value: fn(&Step) -> f64| steps.iter().map(value).collect();
+        (
+            column(|step| step.dimensionless_stiffness),
+            column(|step| step.modulus_factor),
+            column(|step| step.dissipation_factor),
+        )
+    };
+    Ok(value_or_refusal(steps.map(columns).map_err(EquationError::from)))
 }
 
 /// The name of OpenSim's rule for the modulus of two surfaces, which is used if the call names no rule.

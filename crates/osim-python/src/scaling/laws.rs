@@ -11,7 +11,6 @@ use contact_scaling::{
 };
 
 use crate::scaling::docstring::Returns::{Factor, Value};
-use crate::scaling::equation_error::EquationError;
 use crate::scaling::function::{Function, function};
 
 pub(super) const HERTZ: &[Function] = &[
@@ -193,36 +192,4 @@ pub(super) const RATIOS: &[Function] = &[
 /// Factors from one animal to another that differ only in size and gravity.
 fn size_ratios(radius: f64, gravity: f64) -> Result<Ratios, DomainError> {
     Ratios::new(RatioValues { radius, gravity, ..Ratios::identity().values() })
-}
-
-// The steps from compliant contacts to those that are wanted (section 4.3 of the paper).
-
-/// Steps from soft to stiff contacts: a list for each quantity, with an element for each step.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub(crate) struct SmoothSteps {
-    /// k̂ at the load of the last step, without unit (B.3).
-    pub dimensionless_stiffness: Vec<f64>,
-    /// E* of each step over that of the last step.
-    pub modulus_factor: Vec<f64>,
-    /// α of each step over that of the last step.
-    pub dissipation_factor: Vec<f64>,
-}
-
-/// `count` steps from k̂ = `first` to k̂ = `last`, with α from `dissipation_ratio` times its last value to that value.
-///
-/// # Errors
-/// As [`continuation::steps`].
-pub(crate) fn continuation_steps(
-    first: f64,
-    last: f64,
-    dissipation_ratio: f64,
-    count: u32,
-) -> Result<SmoothSteps, EquationError> {
-    let mut ladder = SmoothSteps::default();
-    for step in continuation::steps(first, last, dissipation_ratio, count)? {
-        ladder.dimensionless_stiffness.push(step.dimensionless_stiffness);
-        ladder.modulus_factor.push(step.modulus_factor);
-        ladder.dissipation_factor.push(step.dissipation_factor);
-    }
-    Ok(ladder)
 }

@@ -16,7 +16,6 @@ mod spheres;
 pub(crate) use docstring::{MIXING_RULES, Parameter};
 pub(crate) use equation_error::EquationError;
 pub(crate) use function::{Function, RustFunction, rule_by_name};
-pub(crate) use laws::continuation_steps;
 pub(crate) use spheres::{MEAN_SQUARE_RADIUS, SPHERE_LIST_FUNCTIONS};
 
 /// All functions that take numbers, in the order of the paper.
