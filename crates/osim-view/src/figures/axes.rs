@@ -7,24 +7,16 @@ use osim_inspect::series::{
 };
 use osim_model::files::Failure;
 use osim_model::messages::{Dialect, Phrase, counted, readable};
-
-/// The units of the axes of indentation and of force.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum AxisUnits {
-    /// Indentation as x/R, and force over the share of the weight that one sphere carries.
-    Dimensionless,
-    /// Indentation in mm, and force in N.
-    Real,
-}
+use osim_requests::AxesChoice;
 
 /// The wanted units. The default is x/R, with newtons if the figure has one contact, and with shares of the weight if it has several.
-pub fn units_for(bodies: &[ContactBody], wanted: Option<AxisUnits>) -> PlotUnits {
+pub fn units_for(bodies: &[ContactBody], wanted: Option<AxesChoice>) -> PlotUnits {
     let single = bodies_and_kinds(bodies).count() == 1;
     let indentation = match wanted {
-        Some(AxisUnits::Real) => IndentationUnit::Millimetre,
+        Some(AxesChoice::Real) => IndentationUnit::Millimetre,
         _ => IndentationUnit::Relative,
     };
-    let shares = wanted.map_or(!single, |wanted| wanted == AxisUnits::Dimensionless);
+    let shares = wanted.map_or(!single, |wanted| wanted == AxesChoice::Dimensionless);
     let force = if shares { ForceUnit::WeightShare } else { ForceUnit::Newton };
     PlotUnits { indentation, force }
 }

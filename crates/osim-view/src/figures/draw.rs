@@ -5,9 +5,9 @@ use osim_inspect::series::{ContactBody, HeatRequest};
 use osim_model::files::Failure;
 use osim_model::messages::{Input, Phrase, phrase, shortest, terminal_safe};
 use osim_planning::{HeatTable, ModelFeet, MotionResult, cell};
-use osim_requests::{AxesChoice, FigureOptions, PlotKind, PlotRequest, Positive, Span, no_fig1};
+use osim_requests::{FigureOptions, PlotKind, PlotRequest, Positive, Span, no_fig1};
 
-use crate::figures::axes::{AxisUnits, plot_failure, units_for};
+use crate::figures::axes::{plot_failure, units_for};
 use crate::figures::heat::{heat, table_figure};
 use crate::figures::motion::motion;
 use crate::figures::paper::{fig_c5, fig4};
@@ -39,11 +39,7 @@ fn drawing_of_bodies(
     bodies: &[ContactBody],
     title: Option<&str>,
 ) -> Result<Drawing, Failure> {
-    let wanted = request.axes.map(|axes| match axes {
-        AxesChoice::Real => AxisUnits::Real,
-        _ => AxisUnits::Dimensionless,
-    });
-    let units = units_for(bodies, wanted);
+    let units = units_for(bodies, request.axes);
     let height = request.fall.height;
     let duration = request.fall.duration.map(Positive::get);
     let limits = request.looks.x_range.map(Span::ends);

@@ -20,7 +20,7 @@ mod heat;
 mod motion;
 pub mod paper;
 
-pub use axes::{AxisUnits, units_for, weights_in_words};
+pub use axes::{units_for, weights_in_words};
 pub(crate) use curves::count_above_axis;
 pub use curves::{Indentations, contact_force, contact_state, drops, impact_loops, indentations, loops};
 pub use draw::{data_csv, draw, draw_feet, draw_motion, failure_of_plot, paper_of, svg};

@@ -4,8 +4,8 @@ use contact_plots::{Drawing, Figure, Paper, figure};
 use osim_inspect::InspectOptions;
 use osim_inspect::series::{ContactBody, HeatRequest};
 use osim_requests::spell::{CommandLine, Python};
-use osim_requests::{DropHeight, QuantityChoice};
-use osim_view::figures::{self as figures, AxisUnits};
+use osim_requests::{AxesChoice, DropHeight, QuantityChoice};
+use osim_view::figures;
 
 use crate::support::open;
 
@@ -55,7 +55,7 @@ fn one_contact_is_drawn_in_newtons_and_several_in_shares_of_the_weight() {
     assert_eq!(figure.title, "Contact force");
     assert_eq!(curve_names(&figure), ["mouse_smooth_sphere", "horse_smooth_sphere"]);
     let figure =
-        figures::contact_force(&two, figures::units_for(&two, Some(AxisUnits::Real)), None, Some("Both"))
+        figures::contact_force(&two, figures::units_for(&two, Some(AxesChoice::Real)), None, Some("Both"))
             .unwrap();
     assert_eq!(axes(&figure).0, "indentation x (mm)");
     assert_eq!((figure.title.as_str(), limit_names(&figure).len()), ("Both", 0));
