@@ -64,7 +64,7 @@ pub(crate) fn drop_test<'py>(
     })?;
     let mismatches = drop.mismatches.iter();
     let remarks = mismatches.map(|(name, mismatch)| mass_mismatch(name, mismatch, &PythonWords)).collect();
-    Ok((dictionary(py, &DropRecord::from(&drop))?, drop_text(&drop, None), remarks))
+    Ok((dictionary(py, &DropRecord(&drop))?, drop_text(&drop, None), remarks))
 }
 
 /// `motion`: the contacts along a recording as a dictionary, the same as text, and as a table: a list of cells for each column.

@@ -56,7 +56,7 @@ pub(crate) fn drop_test(request: &DropTestRequest, session: &mut Session) -> Res
         .map_err(|error| session.refuse(error, request.format == SeriesFormat::Json))?;
     let columns = session.terminal.columns();
     let text = match request.format {
-        SeriesFormat::Json => line(&DropRecord::from(&drop)),
+        SeriesFormat::Json => line(&DropRecord(&drop)),
         SeriesFormat::Csv => drop_csv(&drop)?,
         // A terminal can draw.
         _ if std::io::stdout().is_terminal() => {

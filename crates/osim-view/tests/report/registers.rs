@@ -111,7 +111,7 @@ fn every_quantity_says_what_it_is() {
 #[test]
 fn schemas_list_what_is_printed() {
     let (record, of_drop) = (
-        serde_json::to_value(DropRecord::from(&drop_result(&json!({})))).unwrap(),
+        serde_json::to_value(DropRecord(&drop_result(&json!({})))).unwrap(),
         schema_of_type::<DropRecord<'_>>(),
     );
     assert_lists(&of_drop, &record, &["model_bytes"]);

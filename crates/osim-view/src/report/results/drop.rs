@@ -14,7 +14,7 @@ use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 
 use super::fit::within_or_outside;
-use crate::report::layout::{WIDTH, table};
+use crate::report::layout::{WIDTH, csv_text, table};
 
 /// A difference of curves below this (in radii and body weights) comes from rounding in the integration, and is printed as "below" this.
 const ROUNDING_OF_CURVES: f64 = 1e-9;
@@ -127,20 +127,19 @@ pub fn drop_chart(drop: &DropResult, columns: Option<usize>) -> String {
 /// None in practice: the rows are written into memory.
 pub fn drop_csv(drop: &DropResult) -> Result<String, csv::Error> {
     let report = &drop.report;
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    writer.write_record(DropColumn::ALL.iter().map(|column| column.info().name))?;
-    for sample in &report.series {
-        writer.write_record(DropColumn::ALL.iter().map(|column| shortest(column.value(report, sample))))?;
-    }
-    let bytes = writer.into_inner().map_err(|error| csv::Error::from(error.into_error()))?;
-    Ok(String::from_utf8_lossy(&bytes).into_owned())
+    let header = DropColumn::ALL.iter().map(|column| column.info().name.to_owned()).collect();
+    let rows = report
+        .series
+        .iter()
+        .map(|sample| DropColumn::ALL.iter().map(|column| shortest(column.value(report, sample))).collect());
+    csv_text(std::iter::once(header).chain(rows))
 }
 
 // The JSON contract of a drop.
 
 /// A drop for JSON: each [`DropFigure`] under its name, and the motion.
 #[derive(Debug, Clone, Copy)]
-pub struct DropRecord<'d>(&'d DropResult);
+pub struct DropRecord<'d>(pub &'d DropResult);
 
 records! {
     /// How far two drops are apart without dimensions.
@@ -162,12 +161,6 @@ records! {
 /// The motion of a drop for JSON: each [`DropColumn`] under its name.
 #[derive(Debug, Clone, Copy)]
 pub struct DropSeriesRecord<'d>(&'d DropReport);
-
-impl<'d> From<&'d DropResult> for DropRecord<'d> {
-    fn from(drop: &'d DropResult) -> Self {
-        Self(drop)
-    }
-}
 
 impl Serialize for DropRecord<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
