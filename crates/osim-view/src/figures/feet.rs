@@ -2,12 +2,9 @@
 
 use std::collections::{HashMap, HashSet};
 
-use contact_plots::{
-    Ball, Block, Level, LevelKind, Outline, Paper, Point, Scene, SceneNames, Spot, State, View, scene,
-};
+use contact_plots::{Ball, Block, Level, LevelKind, Outline, Point, Scene, SceneNames, Spot, State, View};
 use osim_model::feet::{FeetFault, FloorPlace, Foot, FootFrame, FootSphere, silhouette};
-use osim_model::files::Failure;
-use osim_model::messages::{Dialect, Input, four_significant, listed, phrase, shown, terminal_safe};
+use osim_model::messages::{Dialect, Input, four_significant, listed, phrase, shown};
 use osim_model::{DVec2, DVec3};
 use osim_planning::ModelFeet;
 
@@ -45,16 +42,6 @@ pub fn feet(states: &[ModelFeet], title: Option<&str>) -> Scene {
             lowest: String::new(),
         },
     }
-}
-
-/// The figure of the feet as an SVG document. `name` is the name of the model, for failures.
-///
-/// # Errors
-/// A number is not finite.
-pub(crate) fn feet_svg(states: &[ModelFeet], name: &str, title: Option<&str>) -> Result<String, Failure> {
-    // Control characters in names of spheres would make the SVG unreadable.
-    let drawn = scene(&feet(states, title), Paper::default()).map(|svg| terminal_safe(&svg).into_owned());
-    drawn.map_err(|error| Failure::outside(name, "plot", error.to_string()))
 }
 
 /// The part of the figure about one foot; `other` is this foot in another state.

@@ -42,17 +42,13 @@ pub(super) fn add_sections(fragment: &mut Fragment, drawn: &DrawnStates, dialect
 /// Adds the section about the contact state of a smoothed law, if the caller names the section. A law without smoothing has no such
 /// section.
 fn state_section(fragment: &mut Fragment, bodies: &[ContactBody]) {
-    let svg = || {
-        svg_or_failure(bodies, figures::contact_state(bodies, PLOT_UNITS, None, Some("Contact state"))).ok()
-    };
-    let svg = fragment.is_named(STATE_SECTION.0).then(svg).flatten();
-    if let Some(svg) = svg {
+    let drawn = || figures::contact_state(bodies, PLOT_UNITS, None, Some("Contact state"));
+    if fragment.is_named(STATE_SECTION.0)
+        && let Ok(svg) = svg_or_failure(bodies, drawn())
+    {
         let what = "How softly contact begins: from 0, no contact, to 1. Where curves lie on each other, the dimensionless smoothing is the same.";
-        fragment.add_section(
-            STATE_SECTION.0,
-            STATE_SECTION.1,
-            &html! { div.plots { (plot_with_caption(what, &svg)) } },
-        );
+        let body = html! { div.plots { (plot_with_caption(what, &svg)) } };
+        fragment.add_section(STATE_SECTION.0, STATE_SECTION.1, &body);
     }
 }
 
@@ -111,7 +107,8 @@ const MOST_LISTED_MESHES: usize = 12;
 /// The figure of the feet, with its caption.
 pub(super) fn feet_figure(states: &[ModelFeet]) -> Option<Markup> {
     let last = states.last()?;
-    let svg = figures::feet_svg(states, &last.name, Some("Feet")).ok()?;
+    let scene = Drawing::Scene(figures::feet(states, Some("Feet")));
+    let svg = figures::svg(&scene, Paper::default(), &[]).ok()?;
     let mut caption = "From the right and from above, at the default pose and to one scale.".to_owned();
     let had_spheres =
         states.split_last().is_some_and(|(_, before)| before.iter().any(ModelFeet::has_spheres));
