@@ -350,17 +350,11 @@ const END_OF_AXIS: f64 = 1.0;
 /// The models are drawn as dots if there are at most this many.
 const MOST_MODELS_WITH_DOTS: usize = 60;
 
-/// x̂ of all models in equilibrium, in one state: for example before a change.
-pub struct Indentations<'s> {
-    /// Name of the series in the legend.
-    pub name: &'s str,
-    /// Relative indentation x̂ = x/R of the deepest sphere of each model.
-    pub indentations: &'s [f64],
-}
-
-/// The chart of x̂ of all models, sorted in each state, with the limit of the Hertz law; `None` if no state has two models.
-pub fn indentations(states: &[Indentations<'_>]) -> Option<String> {
-    let models = states.iter().map(|state| state.indentations.len()).max().filter(|models| *models > 1)?;
+/// The chart of x̂ = x/R of the deepest sphere of each model in equilibrium, sorted in each state, with the limit of the Hertz law;
+/// `None` if no state has two models. Each state, for example that before a change, has its name in the legend.
+pub fn indentations(states: &[(&str, &[f64])]) -> Option<String> {
+    let models =
+        states.iter().map(|(_, indentations)| indentations.len()).max().filter(|models| *models > 1)?;
     let limit = limits::INDENTATION.value;
     let mut panel = Panel::new(
         "",
@@ -368,14 +362,14 @@ pub fn indentations(states: &[Indentations<'_>]) -> Option<String> {
         Axis::new("x̂ = x/R at rest (–)"),
     );
     panel.limits.push(Limit::horizontal(format!("limit, x̂ = {limit}"), limit));
-    let drawn = states.iter().enumerate().filter(|(_, state)| state.indentations.len() > 1);
-    for (index, state) in drawn {
-        let (look, points) = (Look::series(index), ranked_points(state.indentations));
+    let drawn = states.iter().enumerate().filter(|(_, (_, indentations))| indentations.len() > 1);
+    for (index, &(name, indentations)) in drawn {
+        let (look, points) = (Look::series(index), ranked_points(indentations));
         if points.len() <= MOST_MODELS_WITH_DOTS {
             // The legend names the curve; its dots have no name.
             panel.marks.extend(points.iter().map(|&at| Mark { label: String::new(), at, look }));
         }
-        panel.curves.push(Curve::new(state.name, points, look));
+        panel.curves.push(Curve::new(name, points, look));
     }
     let description = format!(
         "Relative indentation at rest of {models} models under body weight, in order, with the limit of {limit} as a line."
@@ -411,8 +405,8 @@ mod tests {
 
     #[test]
     fn one_model_has_no_chart() {
-        assert!(indentations(&[Indentations { name: "", indentations: &[0.3] }]).is_none());
-        let drawn = indentations(&[Indentations { name: "after", indentations: &[0.3, 0.1] }]).unwrap();
+        assert!(indentations(&[("", &[0.3])]).is_none());
+        let drawn = indentations(&[("after", &[0.3, 0.1])]).unwrap();
         assert!(drawn.contains("limit, x̂ = 0.16") && drawn.contains("after"), "{drawn}");
     }
 }

@@ -22,7 +22,7 @@ pub mod paper;
 
 pub use axes::{units_for, weights_in_words};
 pub(crate) use curves::count_above_axis;
-pub use curves::{Indentations, contact_force, contact_state, drops, impact_loops, indentations, loops};
+pub use curves::{contact_force, contact_state, drops, impact_loops, indentations, loops};
 pub use draw::{data_csv, draw, draw_feet, draw_motion, failure_of_plot, paper_of, svg};
 pub(crate) use feet::names_of_missing_meshes;
 pub use feet::{feet, feet_remarks};

@@ -8,7 +8,7 @@ use maud::{Markup, html};
 use osim_model::messages::{counted, four_significant};
 use osim_model::{FindingCode, Severity};
 
-use crate::figures::{self, Indentations};
+use crate::figures;
 use crate::html::entry::{DONE_EARLIER_MARK, Entry};
 use crate::html::explained::{Topics, marked_outside, severity_tag};
 use crate::html::fragment::{section, table};
@@ -128,12 +128,10 @@ impl PageCounts {
     pub(super) fn chart(&self) -> Markup {
         let (now, limit) =
             (if self.before.is_empty() { "models" } else { "after" }, limits::INDENTATION.value);
-        let states: Vec<Indentations<'_>> =
-            [(now, &self.now), ("before", &self.before), ("before, under the new weight", &self.not_scaled)]
-                .into_iter()
-                .map(|(name, indentations)| Indentations { name, indentations })
-                .collect();
-        let above: usize = states.iter().map(|state| figures::count_above_axis(state.indentations)).sum();
+        let states: [(&str, &[f64]); 3] =
+            [(now, &self.now), ("before", &self.before), ("before, under the new weight", &self.not_scaled)];
+        let above: usize =
+            states.map(|(_, indentations)| figures::count_above_axis(indentations)).iter().sum();
         let Some(svg) = figures::indentations(&states) else { return html! {} };
         let body = html! {
             figure {
