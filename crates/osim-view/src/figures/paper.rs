@@ -125,9 +125,10 @@ pub fn fig_c5(title: Option<&str>) -> Result<Figure, Failure> {
     let default = ContactValues { smoothing: Some(SmoothingValues::OPENSIM_DEFAULT), ..values };
     let (mut panels, mut states) = (Vec::new(), Vec::new());
     for (name, values) in [("default cf, bd", default), ("scaled cf, bd", values)] {
-        let body = body_of_fig_c5(&emu, Contact::new(values).map_err(table_failure)?);
-        panels.push(force_panel_of(name, &body)?);
-        states.push(state_panel_of(name, &body)?);
+        let contact = Contact::new(values).map_err(table_failure)?;
+        let [force, state] = panels_of_fig_c5(name, &emu, contact)?;
+        panels.push(force);
+        states.push(state);
     }
     panels.append(&mut states);
     // Both force panels have one scale, so that they can be compared.
@@ -148,32 +149,20 @@ pub fn fig_c5(title: Option<&str>) -> Result<Figure, Failure> {
     })
 }
 
-fn body_of_fig_c5(scale: &Scale, contact: Contact) -> ContactBody {
+/// The panels of force and of contact state of a sphere with this contact.
+fn panels_of_fig_c5(title: &str, scale: &Scale, contact: Contact) -> Result<[Panel; 2], Failure> {
+    let kind = SphereKind::new(scale.radius_m(), contact);
     let unknown = Failure::outside(FIG_C5_ANIMAL, "plot", "Fig. C.5 says nothing of weight");
-    ContactBody::without_weight(
-        FIG_C5_ANIMAL.to_owned(),
-        vec![SphereKind::new(scale.radius_m(), contact)],
-        &unknown,
-    )
-}
-
-fn force_panel_of(title: &str, body: &ContactBody) -> Result<Panel, Failure> {
-    let mut laws = Vec::new();
-    for (body, kind) in series::bodies_and_kinds(std::slice::from_ref(body)) {
-        let reach_m = (-WIDTH_OF_FIG_C5_RADII * kind.radius_m, WIDTH_OF_FIG_C5_RADII * kind.radius_m);
-        let series = series::force(body, kind, PLOT_UNITS, reach_m)?;
-        laws.push(KindOfSphereLaws { name: body.name.clone(), series, remark: String::new() });
-    }
-    Ok(Panel { title: title.to_owned(), ..force_panel(laws, PLOT_UNITS) })
-}
-
-fn state_panel_of(title: &str, body: &ContactBody) -> Result<Panel, Failure> {
-    let mut states = Vec::new();
-    let mut limits = Vec::new();
-    for (body, kind) in series::bodies_and_kinds(std::slice::from_ref(body)) {
-        let points = series::contact_state(body, kind, PLOT_UNITS, None)?;
-        states.extend(points.map(|points| (body.name.clone(), points)));
-        limits.extend(threshold_limits(kind, PLOT_UNITS));
-    }
-    Ok(Panel { title: title.to_owned(), limits, ..state_panel(states, PLOT_UNITS) })
+    let name = FIG_C5_ANIMAL.to_owned();
+    let body = ContactBody::without_weight(name.clone(), vec![kind.clone()], &unknown);
+    let reach_m = WIDTH_OF_FIG_C5_RADII * kind.radius_m;
+    let force = series::force(&body, &kind, PLOT_UNITS, (-reach_m, reach_m))?;
+    let laws = vec![KindOfSphereLaws { name: name.clone(), series: force, remark: String::new() }];
+    let state = series::contact_state(&body, &kind, PLOT_UNITS, None)?;
+    let states = state.map(|points| (name, points)).into_iter().collect();
+    let limits = threshold_limits(&kind, PLOT_UNITS);
+    Ok([
+        Panel { title: title.to_owned(), ..force_panel(laws, PLOT_UNITS) },
+        Panel { title: title.to_owned(), limits, ..state_panel(states, PLOT_UNITS) },
+    ])
 }
