@@ -78,17 +78,22 @@ fn force_panel(result: &MotionResult, index: usize, foot: &FootSummary) -> Panel
     panel.curves.push(Curve::new("model", points, Look::series(0)));
     let measured = result.measured.as_ref().and_then(|measured| measured.feet.get(index));
     if let Some(measured) = measured {
-        let all: Vec<Option<(f64, f64)>> =
-            times().zip(measured).map(|(time, one)| Some((time, along(one.as_ref()?)))).collect();
         // The line is interrupted where the plates have no force.
-        for run in all.chunk_by(|before, after| before.is_some() == after.is_some()) {
-            let points: Vec<(f64, f64)> = run.iter().copied().flatten().collect();
-            if points.len() > 1 {
-                panel.curves.push(Curve::new("plates", points, Look::series(1)));
-            }
-        }
+        let points = times().zip(measured).map(|(time, one)| Some((time, along(one.as_ref()?))));
+        add_runs(&mut panel, "plates", 1, points);
     }
     panel
+}
+
+/// A curve for each run of known points.
+fn add_runs(panel: &mut Panel, label: &str, series: usize, points: impl Iterator<Item = Option<(f64, f64)>>) {
+    let points: Vec<_> = points.collect();
+    for run in points.chunk_by(|before, after| before.is_some() == after.is_some()) {
+        let points: Vec<(f64, f64)> = run.iter().copied().flatten().collect();
+        if points.len() > 1 {
+            panel.curves.push(Curve::new(label, points, Look::series(series)));
+        }
+    }
 }
 
 /// The name of the file without its folders and its extension.
@@ -144,13 +149,8 @@ fn path_panel(result: &MotionResult, foot: &FootSummary, on_sole: &PressureOnSol
     );
     for (label, points, series) in [("model", &on_sole.model_m, 0), ("plates", &on_sole.measured_m, 1)] {
         // The line is interrupted where there is no centre of pressure.
-        for run in points.chunk_by(|before, after| before.is_some() == after.is_some()) {
-            let points: Vec<(f64, f64)> =
-                run.iter().flatten().map(|[ahead, right]| (1e3 * ahead, 1e3 * right)).collect();
-            if points.len() > 1 {
-                panel.curves.push(Curve::new(label, points, Look::series(series)));
-            }
-        }
+        let points = points.iter().map(|at| at.map(|[ahead, right]| (1e3 * ahead, 1e3 * right)));
+        add_runs(&mut panel, label, series, points);
     }
     for (&pair, [ahead, right]) in foot.foot.pairs.iter().zip(&on_sole.spheres_m) {
         if result.states.pairs.get(pair).is_some() {
