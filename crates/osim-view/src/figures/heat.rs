@@ -22,7 +22,10 @@ pub fn heat(
     dissipation: impl FnOnce(f64) -> Vec<f64>,
     wanted_title: Option<&str>,
 ) -> Result<Drawing, Failure> {
-    let body = only_body(bodies)?;
+    let [body] = bodies else {
+        let why = phrase!["a sweep is about one body: name one model, without ", Input::TargetMass];
+        return Err(plot_failure(bodies, why));
+    };
     let series = series::heat(body, request, stiffness, dissipation)?;
     let words = QuantityWords::of_quantity(request.quantity);
     let title = wanted_title.map_or_else(|| format!("{}: {}", words.title, body.name), str::to_owned);
@@ -82,15 +85,6 @@ fn curve_figure(
         words.label
     );
     Figure::in_column(title, description, vec![panel])
-}
-
-/// The one body that a heat map is about; refused if the call names several.
-fn only_body(bodies: &[ContactBody]) -> Result<&ContactBody, Failure> {
-    let [one] = bodies else {
-        let why = phrase!["a sweep is about one body: name one model, without ", Input::TargetMass];
-        return Err(plot_failure(bodies, why));
-    };
-    Ok(one)
 }
 
 /// Texts about the quantity of a heat map.
