@@ -15,6 +15,7 @@ use crate::html::{Entry, findings, plots, reference};
 use crate::report::extent::Extent;
 use crate::report::inspection::table::{
     alike_forces, counted_and_named_forces, decimals, metres, radius_text, sentences_on_body,
+    sources_in_words,
 };
 
 /// A model that was inspected, and the data about it for a page.
@@ -149,12 +150,6 @@ fn table_of_factors(inspected: &Inspection) -> Markup {
     };
     let caption = "Scale factors of bodies, compared with the generic model; ? if not known.";
     table("Factors of bodies", caption, &["body", "x", "y", "z", " from"], &rows)
-}
-
-fn sources_in_words(sources: &[Option<&'static str>]) -> String {
-    let mut named: Vec<&str> = sources.iter().flatten().copied().collect();
-    named.dedup();
-    named.join(", ")
 }
 
 fn facts_of_model(inspected: &Inspection, files: &[NamedDigest]) -> Markup {

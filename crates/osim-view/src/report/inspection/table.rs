@@ -164,13 +164,18 @@ fn body_factors(inspected: &Inspection, layout: Layout) -> String {
     for body in inspected.body_factors.iter().flatten() {
         let mut cells = vec![body.body.clone()];
         cells.extend(body.factors.map(|factor| factor.map_or_else(|| "?".to_owned(), number)));
-        let mut sources: Vec<&str> = body.sources.iter().flatten().copied().collect();
-        sources.dedup();
-        cells.push(sources.join(", "));
+        cells.push(sources_in_words(&body.sources));
         table.add_row(cells);
     }
     table.right_aligned(&[1, 2, 3]);
     format!("{}\n", table.into_lines(layout.columns))
+}
+
+/// Where factors of a body come from.
+pub(crate) fn sources_in_words(sources: &[Option<&'static str>]) -> String {
+    let mut named: Vec<&str> = sources.iter().flatten().copied().collect();
+    named.dedup();
+    named.join(", ")
 }
 
 // A body over its floor and on its feet, in sentences: the text and the page share them.
