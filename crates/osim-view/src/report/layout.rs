@@ -1,7 +1,7 @@
 //! The layout of texts: lines as wide as the terminal, columns of a table, rows of CSV, colours.
 
 use std::collections::HashSet;
-use std::{fmt, io};
+use std::io;
 
 use anstyle::{AnsiColor, Style};
 use comfy_table::{CellAlignment, ColumnConstraint, ContentArrangement, Table, presets};
@@ -276,12 +276,6 @@ impl TextTable {
             }
         }
         table
-    }
-}
-
-impl fmt::Display for TextTable {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.laid_out().fmt(f)
     }
 }
 
