@@ -1,12 +1,10 @@
 //! The legend of names below a figure, and the names of vertical limits above a panel.
 
-use plotters::coord::Shift;
 use plotters::element::{Circle, DashedPathElement, PathElement, Rectangle};
-use plotters::prelude::{DrawingArea, SVGBackend};
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use plotters::style::{Color, RGBColor, ShapeStyle};
 
-use crate::document::text_allowed_in_xml;
+use crate::document::{Area, text_allowed_in_xml};
 use crate::error::PlotError;
 use crate::figure::{Direction, Figure, Frame, Limit, Panel};
 use crate::style::{LIMIT, Look, SHADE_COLOUR, SHADE_OPACITY, TEXT_PT, float, stroke, text, units};
@@ -93,11 +91,7 @@ impl Legend {
     }
 
     /// Draws the legend with its upper left corner at `(left_pt, top_pt)`.
-    pub(crate) fn draw(
-        &self,
-        area: &DrawingArea<SVGBackend<'_>, Shift>,
-        at_pt: (f64, f64),
-    ) -> Result<(), PlotError> {
+    pub(crate) fn draw(&self, area: &Area<'_>, at_pt: (f64, f64)) -> Result<(), PlotError> {
         self.draw_with_samples(area, at_pt, &|index, left, middle| match self.entries.get(index) {
             Some((sample, _)) => draw_legend_sample(area, *sample, left, middle),
             None => Ok(()),
@@ -107,7 +101,7 @@ impl Legend {
     /// Draws the legend. `sample` draws a sample, given the index of its entry, its left end and its middle, in points.
     pub(crate) fn draw_with_samples(
         &self,
-        area: &DrawingArea<SVGBackend<'_>, Shift>,
+        area: &Area<'_>,
         (left_pt, top_pt): (f64, f64),
         sample: &dyn Fn(usize, f64, f64) -> Result<(), PlotError>,
     ) -> Result<(), PlotError> {
@@ -135,12 +129,7 @@ fn height_pt(lines: &[String]) -> f64 {
     ENTRY_ROW_PT + NAME_LINE_PT * float(lines.len().saturating_sub(1))
 }
 
-fn draw_legend_sample(
-    area: &DrawingArea<SVGBackend<'_>, Shift>,
-    sample: Sample,
-    left: f64,
-    middle: f64,
-) -> Result<(), PlotError> {
+fn draw_legend_sample(area: &Area<'_>, sample: Sample, left: f64, middle: f64) -> Result<(), PlotError> {
     let at = |dx: f64, dy: f64| (units(left + dx), units(middle + dy));
     let line = vec![at(0.0, 0.0), at(SAMPLE_PT, 0.0)];
     match sample {
@@ -155,8 +144,7 @@ fn draw_legend_sample(
             SHADE_COLOUR.mix(SHADE_OPACITY).filled(),
         )),
         Sample::Dot(look) => {
-            let (r, g, b) = look.colour;
-            area.draw(&Circle::new(at(SAMPLE_PT / 2.0, 0.0), units(2.2), RGBColor(r, g, b).filled()))
+            area.draw(&Circle::new(at(SAMPLE_PT / 2.0, 0.0), units(2.2), look.rgb().filled()))
         }
         Sample::Limit => area.draw(&DashedPathElement::new(line, units(2.0), units(1.6), stroke(LIMIT, 0.7))),
         Sample::Border => {
@@ -182,7 +170,7 @@ pub(crate) fn core_stroke() -> ShapeStyle {
 }
 
 /// A white ring with a dark rim: visible on every colour of a heat map.
-pub(crate) fn draw_cross(area: &DrawingArea<SVGBackend<'_>, Shift>, at: (i32, i32)) -> Result<(), PlotError> {
+pub(crate) fn draw_cross(area: &Area<'_>, at: (i32, i32)) -> Result<(), PlotError> {
     let ring = |pt: f64, colour: RGBColor, width: f64| Circle::new(at, units(pt), stroke(colour, width));
     area.draw(&ring(2.6, RGBColor(0, 0, 0), 2.0)).map_err(PlotError::drawing)?;
     area.draw(&ring(2.6, RGBColor(255, 255, 255), 1.0)).map_err(PlotError::drawing)

@@ -4,8 +4,8 @@ use plotters::chart::{ChartBuilder, ChartContext, LabelAreaPosition};
 use plotters::coord::cartesian::Cartesian2d;
 use plotters::element::{Circle, DashedPathElement, PathElement, Polygon};
 use plotters::prelude::SVGBackend;
+use plotters::style::Color;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
-use plotters::style::{Color, RGBColor};
 
 use crate::axis::{Axis, Scale, Ticks};
 use crate::document::{Area, MARGIN_PT, Paper, Sheet, Title, document, text_allowed_in_xml};
@@ -250,8 +250,7 @@ fn draw_curves(chart: &mut Chart<'_, '_>, panel: &Panel, frame: &Frame<'_>) -> R
         .map_err(PlotError::drawing)?;
     }
     for mark in panel.marks.iter().filter(|mark| frame.contains_point(mark.at)) {
-        let (r, g, b) = mark.look.colour;
-        let dot = Circle::new(frame.place(mark.at), units(2.2), RGBColor(r, g, b).filled());
+        let dot = Circle::new(frame.place(mark.at), units(2.2), mark.look.rgb().filled());
         chart.draw_series([dot]).map_err(PlotError::drawing)?;
     }
     Ok(())

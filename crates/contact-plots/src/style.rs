@@ -120,7 +120,11 @@ impl Look {
     }
 
     pub(crate) fn stroke(self) -> ShapeStyle {
-        stroke(RGBColor(self.colour.0, self.colour.1, self.colour.2), self.width_pt)
+        stroke(self.rgb(), self.width_pt)
+    }
+
+    pub(crate) fn rgb(self) -> RGBColor {
+        RGBColor(self.colour.0, self.colour.1, self.colour.2)
     }
 }
 

@@ -97,7 +97,7 @@ fn draw_view(root: &Area<'_>, view: &PlacedView<'_>, is_last: bool) -> Result<()
         draw_leader(root, name)?;
     }
     for ball in view.view.balls.iter().filter(|ball| ball.state == State::Now) {
-        let colour = if ball.misplaced { MISPLACED_COLOUR } else { colour_of_look(PRESENT_LOOK) };
+        let colour = if ball.misplaced { MISPLACED_COLOUR } else { PRESENT_LOOK.rgb() };
         draw(root, &Circle::new(place(view.at(ball.centre)), units(0.9), colour.filled()))?;
     }
     for spot in &view.view.spots {
@@ -253,7 +253,7 @@ fn draw_circle(root: &Area<'_>, centre: Point, radius: f64, misplaced: bool) -> 
     let (colour, width) = if misplaced {
         (MISPLACED_COLOUR, MISPLACED_LINE_PT)
     } else {
-        (colour_of_look(PRESENT_LOOK), PRESENT_LOOK.width_pt)
+        (PRESENT_LOOK.rgb(), PRESENT_LOOK.width_pt)
     };
     let (at, radius) = (place(centre), units(radius));
     draw(root, &Circle::new(at, radius, colour.mix(BALL_OPACITY).filled()))?;
@@ -299,10 +299,6 @@ fn draw_level_line(
         x += 4.5;
     }
     Ok(())
-}
-
-fn colour_of_look(look: Look) -> RGBColor {
-    RGBColor(look.colour.0, look.colour.1, look.colour.2)
 }
 
 fn place((x, y): Point) -> (i32, i32) {
