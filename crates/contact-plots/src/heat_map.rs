@@ -121,7 +121,7 @@ impl HeatLayout {
         let (x_edges, y_edges) = (cell_edges(&map.x, &map.x_axis)?, cell_edges(&map.y, &map.y_axis)?);
         let span = value_span(map)?;
         let bar_ticks = map.value_axis.ticks(span, TICKS_PER_AXIS);
-        let y_ticks = map.y_axis.ticks((first_edge(&y_edges), last_edge(&y_edges)), TICKS_PER_AXIS);
+        let y_ticks = map.y_axis.ticks(end_edges(&y_edges), TICKS_PER_AXIS);
         let beside_pt = AXIS_NAME_DISTANCE_PT + 3.0 * TICK_LENGTH_PT + y_ticks.width_pt().max(8.0);
         let bar_room_pt = COLOUR_BAR_GAP_PT
             + COLOUR_BAR_WIDTH_PT
@@ -143,7 +143,7 @@ impl HeatLayout {
 
     /// The ticks of an axis that ends with the outer edges of its cells.
     fn ticks(axis: &Axis, edges: &[f64]) -> Ticks {
-        let (low, high) = (first_edge(edges), last_edge(edges));
+        let (low, high) = end_edges(edges);
         let mut ticks = axis.ticks((low, high), TICKS_PER_AXIS);
         ticks.marks.retain(|(at, _)| (low..=high).contains(at));
         ticks
@@ -155,8 +155,7 @@ impl HeatLayout {
         let area = root.clone().shrink((left, top), (width, units(PLOT_HEIGHT_PT + TICK_LABELS_HEIGHT_PT)));
         let (x_ticks, y_ticks) =
             (Self::ticks(&map.x_axis, &self.x_edges), Self::ticks(&map.y_axis, &self.y_edges));
-        let scale =
-            |edges: &[f64], ticks: &Ticks| Scale::new((first_edge(edges), last_edge(edges)), ticks.at());
+        let scale = |edges: &[f64], ticks: &Ticks| Scale::new(end_edges(edges), ticks.at());
         let mut chart = ChartBuilder::on(&area)
             .margin_right(units(RIGHT_MARGIN_PT))
             .set_label_area_size(LabelAreaPosition::Left, units(self.beside_pt))
@@ -169,12 +168,11 @@ impl HeatLayout {
             let lines = border.iter().map(|line| PathElement::new(line.clone(), style));
             chart.draw_series(lines).map_err(PlotError::drawing)?;
         }
-        let origin = (first_edge(&self.x_edges), first_edge(&self.y_edges));
-        draw_axes(root, &mut chart, (&map.x_axis, &map.y_axis), (&x_ticks, &y_ticks), origin)?;
-        let inside = |at: f64, edges: &[f64]| (first_edge(edges)..=last_edge(edges)).contains(&at);
+        let ((left, right), (bottom, top)) = (end_edges(&self.x_edges), end_edges(&self.y_edges));
+        draw_axes(root, &mut chart, (&map.x_axis, &map.y_axis), (&x_ticks, &y_ticks), (left, bottom))?;
         let mark = map.mark.as_ref().map(|(_, (x, y))| (map.x_axis.place(*x), map.y_axis.place(*y)));
         match mark {
-            Some((x, y)) if inside(x, &self.x_edges) && inside(y, &self.y_edges) => {
+            Some((x, y)) if (left..=right).contains(&x) && (bottom..=top).contains(&y) => {
                 draw_cross(root, chart.backend_coord(&(x, y)))
             }
             _ => Ok(()),
@@ -184,7 +182,7 @@ impl HeatLayout {
     /// A rectangle for each cell. It is a little too large to the right and to the top, so that no gap shows; the next cells
     /// cover the excess.
     fn cells(&self, map: &HeatMap) -> Vec<Rectangle<(f64, f64)>> {
-        let (right, top) = (last_edge(&self.x_edges), last_edge(&self.y_edges));
+        let ((_, right), (_, top)) = (end_edges(&self.x_edges), end_edges(&self.y_edges));
         let mut cells = Vec::new();
         for (row, y) in map.values.iter().zip(self.y_edges.windows(2)) {
             for (value, x) in row.iter().zip(self.x_edges.windows(2)) {
@@ -307,10 +305,7 @@ fn value_span(map: &HeatMap) -> Result<(f64, f64), PlotError> {
     if high - low <= 1e-12 * high.abs() { Ok((low - 0.5, high + 0.5)) } else { Ok((low, high)) }
 }
 
-fn first_edge(edges: &[f64]) -> f64 {
-    edges.first().copied().unwrap_or(0.0)
-}
-
-fn last_edge(edges: &[f64]) -> f64 {
-    edges.last().copied().unwrap_or(1.0)
+/// The first and the last edge of the cells.
+fn end_edges(edges: &[f64]) -> (f64, f64) {
+    (edges.first().copied().unwrap_or(0.0), edges.last().copied().unwrap_or(1.0))
 }
