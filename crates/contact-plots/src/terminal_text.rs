@@ -1,5 +1,6 @@
 //! A panel as text for a terminal: each Braille letter holds two by four dots.
 
+use crate::axis::Ticks;
 use crate::error::PlotError;
 use crate::figure::{self, Frame, Panel, Point};
 use crate::style::float;
@@ -41,17 +42,12 @@ pub fn text(panel: &Panel, columns: usize, rows: usize) -> Result<String, PlotEr
     let lines: Vec<(Point, Point)> = parts
         .flat_map(|part| part.windows(2).map(|ends| (place(ends[0]), place(ends[1]))).collect::<Vec<_>>())
         .collect();
-    let y_labels: Vec<(usize, String)> = y_ticks
-        .marks
-        .into_iter()
-        .map(|(at, label)| (rounded_index(place((x.0, at)).1) / DOTS_DOWN, label))
-        .collect();
+    let labels = |ticks: Ticks, letter: &dyn Fn(f64) -> usize| -> Vec<(usize, String)> {
+        ticks.marks.into_iter().map(|(at, label)| (letter(at), label)).collect()
+    };
+    let y_labels = labels(y_ticks, &|at| rounded_index(place((x.0, at)).1) / DOTS_DOWN);
     let x_ticks = panel.x.ticks(x, dots.columns / 10 + 1);
-    let x_labels: Vec<(usize, String)> = x_ticks
-        .marks
-        .into_iter()
-        .map(|(at, label)| (rounded_index(place((at, y.0)).0) / DOTS_ACROSS, label))
-        .collect();
+    let x_labels = labels(x_ticks, &|at| rounded_index(place((at, y.0)).0) / DOTS_ACROSS);
     lines.into_iter().for_each(|(from, to)| dots.draw_line(from, to));
 
     let mut text = format!("{}\n", panel.y.label);

@@ -118,15 +118,11 @@ fn pieces_of_word(word: &str, size_pt: f64, most_pt: f64) -> Vec<WordPiece<'_>> 
     };
     let count = parts.len();
     let blank = |index: usize| if index + 1 == count { width_with_reserve_pt(" ", size_pt) } else { 0.0 };
-    let piece = |(index, text): (usize, &'_ str)| (width_with_reserve_pt(text, size_pt), blank(index));
-    parts
-        .into_iter()
-        .enumerate()
-        .map(|(index, text)| {
-            let (width, blank) = piece((index, text));
-            WordPiece { text, width, blank }
-        })
-        .collect()
+    let piece = |(index, text)| {
+        let (width, blank) = (width_with_reserve_pt(text, size_pt), blank(index));
+        WordPiece { text, width, blank }
+    };
+    parts.into_iter().enumerate().map(piece).collect()
 }
 
 /// The pieces of a `part` that is too long for a line; it is cut between any two letters.
