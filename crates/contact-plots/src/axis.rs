@@ -202,7 +202,6 @@ fn power_of_ten(power: i32) -> String {
         '1' => '¹',
         '2' => '²',
         '3' => '³',
-        '0' => '⁰',
         digit => char::from_u32(0x2070 + digit.to_digit(10).unwrap_or(0)).unwrap_or(digit),
     };
     format!("10{}", power.to_string().chars().map(raised).collect::<String>())

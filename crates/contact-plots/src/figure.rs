@@ -244,17 +244,13 @@ impl<'p> Frame<'p> {
 
 type Span = (f64, f64);
 
-fn clip_window((left, right): Span, (low, high): Span) -> Window {
-    Window::new(left, right, low, high)
-}
-
 fn clipping_point((x, y): Point) -> line_clipping::Point {
     line_clipping::Point::new(x, y)
 }
 
 /// The parts of a polyline that are between `x.0` and `x.1`, `y.0` and `y.1`.
 pub(crate) fn clip_polyline(points: &[Point], x: Span, y: Span) -> Vec<Vec<Point>> {
-    let window = clip_window(x, y);
+    let window = Window::new(x.0, x.1, y.0, y.1);
     let mut parts: Vec<Vec<Point>> = Vec::new();
     for pair in points.windows(2) {
         let Some(inside) =
@@ -281,7 +277,7 @@ pub(crate) fn clip_area(corners: &[Point], x: Span, y: Span) -> Option<Vec<Point
     if corners.len() < 3 {
         return None;
     }
-    let inside = clip_polygon(&Polygon::new(&corners), clip_window(x, y));
+    let inside = clip_polygon(&Polygon::new(&corners), Window::new(x.0, x.1, y.0, y.1));
     let inside: Vec<Point> = inside.vertices.iter().map(|corner| (corner.x, corner.y)).collect();
     (inside.len() > 2).then_some(inside)
 }

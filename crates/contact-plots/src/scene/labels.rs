@@ -5,6 +5,7 @@
 //! up or down, because the view can grow.
 
 use crate::figure::Point;
+use crate::style::float;
 
 /// Directions around a point in which places are tried: a circle in 16 parts. They are constants, so that a picture is the same
 /// on every machine.
@@ -271,10 +272,6 @@ fn distance_to_line(point: Point, from: Point, to: Point) -> f64 {
 fn segments_cross((a, b): (Point, Point), (c, d): (Point, Point)) -> bool {
     let side = |p: Point, q: Point, r: Point| (q.0 - p.0) * (r.1 - p.1) - (q.1 - p.1) * (r.0 - p.0);
     side(a, b, c) * side(a, b, d) < 0.0 && side(c, d, a) * side(c, d, b) < 0.0
-}
-
-fn float(count: usize) -> f64 {
-    count as f64
 }
 
 #[cfg(test)]
