@@ -74,28 +74,20 @@ pub fn steps(first: f64, last: f64, dissipation_ratio: f64, count: u32) -> Resul
     let ratio = require_positive("ratio of the dissipations", dissipation_ratio)?;
     require_range(ratio >= 1.0, "ratio of the dissipations", ratio, "1 or more")?;
     require_range((2..=MOST_STEPS).contains(&count), "number of steps", f64::from(count), "2 to 100000")?;
-    (0..count).map(|index| step_at(first / last, last, ratio, index, count)).collect()
-}
-
-/// Step number `index` of `count` steps; its factors are without unit, and those of the last step are 1.
-fn step_at(
-    ratio_of_stiffness: f64,
-    last: f64,
-    ratio_of_dissipation: f64,
-    index: u32,
-    count: u32,
-) -> Result<Step, DomainError> {
-    if index + 1 == count {
-        return Ok(Step { dimensionless_stiffness: last, modulus_factor: 1.0, dissipation_factor: 1.0 });
-    }
-    // The part of the way that is still to go: 1 at the first step.
-    let remaining = f64::from(count - 1 - index) / f64::from(count - 1);
-    let relative = libm::pow(ratio_of_stiffness, remaining);
-    Ok(Step {
-        dimensionless_stiffness: last * relative,
-        modulus_factor: modulus_ratio(relative, 1.0)?,
-        dissipation_factor: libm::pow(ratio_of_dissipation, remaining),
-    })
+    let step = |index: u32| -> Result<Step, DomainError> {
+        if index + 1 == count {
+            return Ok(Step { dimensionless_stiffness: last, modulus_factor: 1.0, dissipation_factor: 1.0 });
+        }
+        // The part of the way that is still to go: 1 at the first step.
+        let remaining = f64::from(count - 1 - index) / f64::from(count - 1);
+        let relative = libm::pow(first / last, remaining);
+        Ok(Step {
+            dimensionless_stiffness: last * relative,
+            modulus_factor: modulus_ratio(relative, 1.0)?,
+            dissipation_factor: libm::pow(ratio, remaining),
+        })
+    };
+    (0..count).map(step).collect()
 }
 
 #[cfg(test)]

@@ -99,11 +99,6 @@ impl DropTest {
         DropReport::new(&body, &self.values, record)
     }
 
-    /// A drop test of the same spheres with other values, which are known to be valid.
-    fn with_checked_values(&self, values: DropValues) -> Self {
-        Self { values, spheres: self.spheres.clone() }
-    }
-
     fn body(&self) -> FallingBody<'_> {
         FallingBody::new(&self.spheres, self.values.mass_kg, self.values.gravity_m_s2)
     }
@@ -290,5 +285,6 @@ fn dimensionless_duration(test: &DropTest) -> f64 {
 fn run_until(test: &DropTest, until: f64, samples: usize) -> Result<DropReport, DropError> {
     let duration_s = until * test.body().time_s;
     let values = DropValues { duration_s, samples, ..test.values() };
-    test.with_checked_values(values).run()
+    // The values are known to be valid.
+    DropTest { values, spheres: test.spheres.clone() }.run()
 }
