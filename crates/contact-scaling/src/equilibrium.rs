@@ -74,28 +74,22 @@ pub fn indentation(spheres: &[Spheres], load_n: f64) -> Result<f64, DomainError>
 /// ```
 pub fn hertz_indentation_of_lowest(spheres: &[RaisedSpheres], load_n: f64) -> Result<f64, DomainError> {
     let load = require_positive("load", load_n)?;
-    let force = |x: f64| -> f64 {
-        let one = |s: &RaisedSpheres| {
-            s.spheres.count() * s.spheres.law().hertz().coefficient() * (x - s.height_m).max(0.0).powf(1.5)
-        };
-        spheres.iter().map(one).sum()
-    };
     // As deep as if all were as high as the highest.
     let sum: f64 = spheres.iter().map(|s| s.spheres.count() * s.spheres.law().hertz().coefficient()).sum();
     let deepest =
         highest_bottom_m(spheres) + depth(load, require_positive("sum of force coefficients", sum)?);
     require_range(deepest.is_finite(), "load", load_n, "a load that the spheres can carry")?;
-    // For a guess, which needs no last bit, a root is quicker than a power. From the deep side Newton's steps stay there: the force
-    // rises ever more.
     let summed = |x: f64, force_shape: fn(f64) -> f64| -> f64 {
         let one = |s: &RaisedSpheres| {
             s.spheres.count() * s.spheres.law().hertz().coefficient() * force_shape((x - s.height_m).max(0.0))
         };
         spheres.iter().map(one).sum()
     };
+    // For a guess, which needs no last bit, a root is quicker than a power. From the deep side Newton's steps stay there: the force
+    // rises ever more.
     let guess =
         newton_root(deepest, |x| summed(x, |x| x * x.sqrt()) - load, |x| summed(x, |x| 1.5 * x.sqrt()));
-    Ok(bisect_near(guess, 0.0, deepest, |x| force(x) >= load))
+    Ok(bisect_near(guess, 0.0, deepest, |x| summed(x, |x| x.powf(1.5)) >= load))
 }
 
 /// Indentation x of the lowest sphere at equilibrium by the contact laws themselves, Σ F_i(x − h_i, 0) = F, in m.
@@ -263,13 +257,11 @@ fn contact_onsets(spheres: &[RaisedSpheres]) -> Vec<f64> {
 
 /// The smallest 1/bd of the smoothed laws, in m: over this length the force can change; `None` without smoothed laws.
 fn smallest_transition(spheres: &[RaisedSpheres]) -> Option<f64> {
-    spheres.iter().fold(None, |shortest: Option<f64>, raised| match raised.spheres.law() {
-        Law::HuntCrossley(_) => shortest,
-        Law::Smooth(law) => {
-            let length = 1.0 / law.smoothing().hertz_smoothing;
-            Some(shortest.map_or(length, |shortest| shortest.min(length)))
-        }
-    })
+    let length = |raised: &RaisedSpheres| match raised.spheres.law() {
+        Law::HuntCrossley(_) => None,
+        Law::Smooth(law) => Some(1.0 / law.smoothing().hertz_smoothing),
+    };
+    spheres.iter().filter_map(length).reduce(f64::min)
 }
 
 /// The same result as [`bisect`] to the last bit, but in less time if `guess` is close to it.
