@@ -44,15 +44,6 @@ impl Deny {
     }
 }
 
-impl From<Format> for SheetFormat {
-    fn from(format: Format) -> Self {
-        match format {
-            Format::Table => Self::Table,
-            Format::Json => Self::Json,
-        }
-    }
-}
-
 fields! {
     /// How a run works and what it reports.
     struct RunOptions {

@@ -100,7 +100,38 @@ impl SweepRequest {
     /// # Errors
     /// Two axes or options that set the same quantity.
     pub fn check_axes(&self) -> Result<(), RequestFault> {
-        check_axes(self)
+        let has = |name: AxisName| self.grid.iter().any(|axis| axis.name == name);
+        let refused = |message: Phrase| Err(RequestFault::refused(Input::Grid, message));
+        for (index, axis) in self.grid.iter().enumerate() {
+            if self.grid.iter().take(index).any(|other| other.name == axis.name) {
+                return refused(phrase![
+                    Input::Grid,
+                    format!(" {}: given twice, expected one list of values", axis.name.as_str()),
+                ]);
+            }
+        }
+        let wanted = &self.wanted;
+        for (quantity, input, given, property) in [
+            (AxisName::Indentation, Input::Indentation, wanted.indentation.is_some(), Property::Stiffness),
+            (AxisName::Restitution, Input::Restitution, wanted.restitution.is_some(), Property::Dissipation),
+        ] {
+            if has(quantity) && given {
+                return refused(phrase![
+                    "{} and {} {} both say what it is: leave one out";
+                    input, Input::Grid, quantity.as_str().to_string()
+                ]);
+            }
+            if (has(quantity) || given) && has(AxisName::Property(property)) {
+                return refused(
+                    format!(
+                        "{} and {property} both say what {property} is: leave one out",
+                        quantity.as_str()
+                    )
+                    .into(),
+                );
+            }
+        }
+        Ok(())
     }
 
     /// The number of models that the sweep makes.
@@ -108,49 +139,9 @@ impl SweepRequest {
     /// # Errors
     /// A number too large to count.
     pub fn count(&self) -> Result<usize, RequestFault> {
-        let made =
-            self.ladder.map_or_else(|| count_points(&self.grid), |steps| usize::try_from(steps.get()).ok());
+        let in_grid =
+            || self.grid.iter().try_fold(1_usize, |count, axis| count.checked_mul(axis.values.len()));
+        let made = self.ladder.map_or_else(in_grid, |steps| usize::try_from(steps.get()).ok());
         made.ok_or_else(|| RequestFault::general("more models than can be counted: give fewer values"))
     }
-}
-
-/// The number of points of the grid; `None` if the number is too large.
-fn count_points(axes: &[Axis]) -> Option<usize> {
-    axes.iter().try_fold(1_usize, |count, axis| count.checked_mul(axis.values.len()))
-}
-
-/// Checks that no two axes and options set the same quantity.
-///
-/// # Errors
-/// Two axes or options that set the same quantity.
-fn check_axes(request: &SweepRequest) -> Result<(), RequestFault> {
-    let has = |name: AxisName| request.grid.iter().any(|axis| axis.name == name);
-    let refused = |message: Phrase| Err(RequestFault::refused(Input::Grid, message));
-    for (index, axis) in request.grid.iter().enumerate() {
-        if request.grid.iter().take(index).any(|other| other.name == axis.name) {
-            return refused(phrase![
-                Input::Grid,
-                format!(" {}: given twice, expected one list of values", axis.name.as_str()),
-            ]);
-        }
-    }
-    let wanted = &request.wanted;
-    for (quantity, input, given, property) in [
-        (AxisName::Indentation, Input::Indentation, wanted.indentation.is_some(), Property::Stiffness),
-        (AxisName::Restitution, Input::Restitution, wanted.restitution.is_some(), Property::Dissipation),
-    ] {
-        if has(quantity) && given {
-            return refused(phrase![
-                "{} and {} {} both say what it is: leave one out";
-                input, Input::Grid, quantity.as_str().to_string()
-            ]);
-        }
-        if (has(quantity) || given) && has(AxisName::Property(property)) {
-            return refused(
-                format!("{} and {property} both say what {property} is: leave one out", quantity.as_str())
-                    .into(),
-            );
-        }
-    }
-    Ok(())
 }

@@ -121,27 +121,15 @@ impl PlotRequest {
             ]));
         }
         if self.heat.table.is_some() {
-            return self.check_table();
+            if self.kind != Some(PlotKind::Sweep) || !self.models.is_empty() || self.target_mass.is_some() {
+                let why = "a table is drawn by `plot kind=sweep`, without a model: leave out models and the target mass";
+                return Err(RequestFault::refused(Input::Table, Phrase::template(why)));
+            }
+            return Ok(());
         }
         if !self.is_of_paper() && self.models.is_empty() {
             return Err(RequestFault::general(
                 "nothing to draw: name a model, or a preset such as falisse2022",
-            ));
-        }
-        Ok(())
-    }
-
-    /// Refuses fields that have no meaning together with a table.
-    ///
-    /// # Errors
-    /// A model, or another kind of figure.
-    fn check_table(&self) -> Result<(), RequestFault> {
-        if self.kind != Some(PlotKind::Sweep) || !self.models.is_empty() || self.target_mass.is_some() {
-            return Err(RequestFault::refused(
-                Input::Table,
-                Phrase::template(
-                    "a table is drawn by `plot kind=sweep`, without a model: leave out models and the target mass",
-                ),
             ));
         }
         Ok(())
