@@ -10,7 +10,7 @@ use serde_json::Value;
 #[cfg(feature = "schemas")]
 use serde_json::json;
 
-use crate::values::serial::from_texts;
+use crate::values::serial::Texts;
 use crate::values::typed_numbers::{positive_number, trimmed};
 
 /// `BODY=BODY`: a body of the reference, and the body of the model that gets its spheres.
@@ -112,7 +112,7 @@ pub fn deserialize<'d, D: Deserializer<'d>>(deserializer: D) -> Result<Vec<BodyS
             };
             bodies.into_iter().map(scale).collect()
         }
-        texts => from_texts(texts).map_err(D::Error::custom),
+        texts => Texts::deserialize(texts).map_err(D::Error::custom),
     }
 }
 

@@ -11,7 +11,7 @@ use serde::{Deserialize, Deserializer};
 use serde_json::Value;
 
 use crate::values::assignment::assignment;
-use crate::values::serial::{from_texts, values_as_text};
+use crate::values::serial::{Texts, values_as_text};
 use crate::values::typed_numbers::{
     TypedRange, advice_about_colons, factor, log_spaced, plain_number, positive_number, respell_colons,
     trimmed,
@@ -199,7 +199,7 @@ pub fn deserialize<'d, D: Deserializer<'d>>(deserializer: D) -> Result<Vec<Axis>
     };
     match Value::deserialize(deserializer)? {
         Value::Object(axes) => axes.into_iter().map(axis).collect::<Result<_, _>>().map_err(D::Error::custom),
-        texts => from_texts(texts).map_err(D::Error::custom),
+        texts => Texts::deserialize(texts).map_err(D::Error::custom),
     }
 }
 

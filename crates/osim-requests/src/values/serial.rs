@@ -31,23 +31,6 @@ where
     text.parse().map_err(D::Error::custom)
 }
 
-/// Reads a list of values from their texts, or a single value.
-///
-/// # Errors
-/// The error of [`FromStr`] for one of the values.
-pub(crate) fn from_texts<'d, T, D>(deserializer: D) -> Result<Vec<T>, D::Error>
-where
-    T: FromStr<Err: Display>,
-    D: Deserializer<'d>,
-{
-    match Value::deserialize(deserializer)? {
-        Value::Array(values) => {
-            values.into_iter().map(|value| from_text(value).map_err(D::Error::custom)).collect()
-        }
-        value => Ok(vec![from_text(value).map_err(D::Error::custom)?]),
-    }
-}
-
 /// How fields write and read lists of values: as their texts. A single value is read as a list of one.
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(inline, with = "Vec<String>"))]
 pub(crate) struct Texts;
@@ -60,12 +43,21 @@ impl Texts {
         serializer.collect_seq(values.iter().map(ToString::to_string))
     }
 
+    /// Reads a list of values from their texts, or a single value.
+    ///
+    /// # Errors
+    /// The error of [`FromStr`] for one of the values.
     pub(crate) fn deserialize<'d, T, D>(deserializer: D) -> Result<Vec<T>, D::Error>
     where
         T: FromStr<Err: Display>,
         D: Deserializer<'d>,
     {
-        from_texts(deserializer)
+        match Value::deserialize(deserializer)? {
+            Value::Array(values) => {
+                values.into_iter().map(|value| from_text(value).map_err(D::Error::custom)).collect()
+            }
+            value => Ok(vec![from_text(value).map_err(D::Error::custom)?]),
+        }
     }
 }
 
