@@ -38,10 +38,17 @@ pub(crate) fn run(request: &PlotRequest, session: &mut Session) -> Result<Exit> 
     let output = PlotOutput::of(request, session)?;
     request.check_models().map_err(|fault| session.usage_error(&fault))?;
     if request.is_of_feet() {
-        return feet(request, &output, session);
+        let states = plot_feet(request, &Disk).map_err(|error| session.refuse(error, false))?;
+        let drawing =
+            figures::draw_feet(request, &states).map_err(|failure| session.refuse(failure, false))?;
+        let remarks = figures::feet_remarks(&states, session.words);
+        return output.write(&drawing, &[], &remarks, request, session);
     }
     if request.is_of_motion() {
-        return motion(request, &output, session);
+        let result = plot_motion(request, &Disk).map_err(|error| session.refuse(error, false))?;
+        let drawing =
+            figures::draw_motion(request, &result).map_err(|failure| session.refuse(failure, false))?;
+        return output.write(&drawing, &[], "", request, session);
     }
     let table = plot_table(request, &Disk).map_err(|error| session.refuse(error, false))?;
     let bodies = plot_bodies(request, &Disk).map_err(|error| session.refuse(error, false))?;
@@ -54,27 +61,6 @@ pub(crate) fn run(request: &PlotRequest, session: &mut Session) -> Result<Exit> 
     }
     let remarks = figures::weights_in_words(&bodies, session.words);
     output.write(&drawing, &bodies, &remarks, request, session)
-}
-
-/// Draws and writes a figure of feet.
-///
-/// # Errors
-/// As [`run`].
-fn feet(request: &PlotRequest, output: &PlotOutput<'_>, session: &mut Session) -> Result<Exit> {
-    let states = plot_feet(request, &Disk).map_err(|error| session.refuse(error, false))?;
-    let drawing = figures::draw_feet(request, &states).map_err(|failure| session.refuse(failure, false))?;
-    let remarks = figures::feet_remarks(&states, session.words);
-    output.write(&drawing, &[], &remarks, request, session)
-}
-
-/// Draws and writes a figure of a motion.
-///
-/// # Errors
-/// As [`run`].
-fn motion(request: &PlotRequest, output: &PlotOutput<'_>, session: &mut Session) -> Result<Exit> {
-    let result = plot_motion(request, &Disk).map_err(|error| session.refuse(error, false))?;
-    let drawing = figures::draw_motion(request, &result).map_err(|failure| session.refuse(failure, false))?;
-    output.write(&drawing, &[], "", request, session)
 }
 
 /// The outputs of a plot: a picture in a file or on standard output, and perhaps a table of the numbers.
