@@ -133,20 +133,13 @@ impl Sources {
             self.remarks.push(format!("{}: the output folder is not read", skipped.display()));
         }
         let shown = folder.display();
-        if own_outputs > 0 {
-            self.remarks.push(format!(
-                "{shown}: outputs of this tool (*{}.osim) skipped: {own_outputs}",
-                OutputOptions::RESULT_SUFFIX
-            ));
-        }
-        if sweeps > 0 {
-            self.remarks
-                .push(format!("{shown}: folders of sweeps (*{SWEEP_FOLDER_ENDING}) skipped: {sweeps}"));
-        }
-        if repeated > 0 {
-            self.remarks
-                .push(format!("{shown}: models that are there a second time (named or linked): {repeated}"));
-        }
+        let left_out = [
+            (own_outputs, format!("outputs of this tool (*{}.osim) skipped", OutputOptions::RESULT_SUFFIX)),
+            (sweeps, format!("folders of sweeps (*{SWEEP_FOLDER_ENDING}) skipped")),
+            (repeated, "models that are there a second time (named or linked)".to_owned()),
+        ];
+        let left_out = left_out.into_iter().filter(|(count, _)| *count > 0);
+        self.remarks.extend(left_out.map(|(count, what)| format!("{shown}: {what}: {count}")));
         if !has_models {
             let why = "no .osim models in this folder: name a model, or the folder that holds them";
             self.failures.push(Failure::outside(folder, "no-models", why));
