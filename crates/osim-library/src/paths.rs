@@ -70,12 +70,7 @@ impl Resolver {
             return resolved(path);
         }
         let folder = folder_of(path);
-        if let Some(real) = self.folders.get(folder) {
-            return real.join(name);
-        }
-        let real = resolved(folder);
-        self.folders.insert(folder.to_owned(), real.clone());
-        real.join(name)
+        self.folders.entry(folder.to_owned()).or_insert_with(|| resolved(folder)).join(name)
     }
 }
 

@@ -93,11 +93,9 @@ impl<'b> ReplacementFile<'b> {
         // The replacement is removed unless another program has written into it.
         replacement.disable_cleanup(!has_bytes(replacement.path(), &written_bytes));
         if let ExchangeOutcome::Failed(error) = exchanged {
-            return Err(if error.kind() == ErrorKind::NotFound {
-                fault_of_missing_model(&shown)
-            } else {
-                cannot(error)
-            });
+            let gone = format!("{} is no longer there, so nothing was written", shown.display());
+            let is_gone = error.kind() == ErrorKind::NotFound;
+            return Err(if is_gone { LibraryFault::new(gone) } else { cannot(error) });
         }
         if !has_bytes(&target, &[read_bytes]) {
             return Err(fault_of_changed_model(&shown, &UndoOutcome::Restored, &backup));
@@ -179,11 +177,6 @@ impl ExchangedModel<'_> {
             )),
         }
     }
-}
-
-/// The fault that the model is gone, so that nothing was written.
-fn fault_of_missing_model(shown: &Path) -> LibraryFault {
-    LibraryFault::new(format!("{} is no longer there, so nothing was written", shown.display()))
 }
 
 /// The fault that another program changed the model meanwhile, with what happened to the files.
