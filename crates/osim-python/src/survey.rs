@@ -37,27 +37,25 @@ pub(crate) fn survey<'py>(
     let (rows, remarks, text) = without_gil(py, || {
         let files = RequestFiles::from_python(&memory, true);
         let request = Request::from_map(fields)?;
-        let (models, inspector, report, shows_each, full) = match &request {
-            // Factors of bodies have no room in a row.
+        let (models, inspector, report, check, full) = match &request {
             Request::Inspect(request) => (
                 &request.models,
                 Inspector::for_inspect(request, &files),
                 &request.report,
-                request.from.is_some(),
+                None,
                 request.full,
             ),
             Request::Check(request) => {
-                (&request.models, Inspector::for_check(request, &files), &request.report, false, request.full)
+                let inspector = Inspector::for_check(request, &files);
+                (&request.models, inspector, &request.report, Some(&**request), request.full)
             }
             other => return Err(Problem::defect(format!("a survey for {}", other.verb().name()))),
         };
         if let Some(failure) = inspector.generic_failure() {
             return Err(failure.clone().into());
         }
-        let check = match &request {
-            Request::Check(request) => Some(&**request),
-            _ => None,
-        };
+        // Factors of bodies have no room in a row.
+        let shows_each = matches!(&request, Request::Inspect(request) if request.from.is_some());
         let survey = Survey {
             verb: request.verb(),
             sources: &sources(models, &files),
