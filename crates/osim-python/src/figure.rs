@@ -60,8 +60,8 @@ pub(crate) fn plot(
         request.check_models()?;
         let (drawing, bodies, remarks) = drawing_of_request(&request, &files)?;
         let svg = figures::svg(&drawing, figures::paper_of(&request.looks), &bodies)?;
-        let csv = figures::data_csv(&drawing).map_err(|error| Problem::defect(error.to_string()))?;
-        let csv = String::from_utf8(csv).map_err(|error| Problem::defect(error.to_string()))?;
+        let csv = figures::data_csv(&drawing).map_err(Problem::defect)?;
+        let csv = String::from_utf8(csv).map_err(Problem::defect)?;
         Ok(Figure {
             svg,
             remarks,
@@ -114,9 +114,7 @@ fn panel_looks(drawing: &Drawing) -> Vec<PanelLook> {
 impl Figure {
     /// The figure as a PDF document.
     fn pdf(&self, py: Python<'_>) -> PyResult<Vec<u8>> {
-        without_gil(py, || {
-            contact_plots::pdf(&self.svg, &self.title).map_err(|error| Problem::defect(error.to_string()))
-        })
+        without_gil(py, || contact_plots::pdf(&self.svg, &self.title).map_err(Problem::defect))
     }
 
     /// The figure as a PNG picture, with so many pixels to the inch as the request says.
@@ -126,7 +124,7 @@ impl Figure {
                 PlotError::TooManyPixels { .. } => {
                     RequestFault::refused(Input::Dpi, error.to_string()).into()
                 }
-                error => Problem::defect(error.to_string()),
+                error => Problem::defect(error),
             })
         })
     }

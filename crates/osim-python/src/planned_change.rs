@@ -188,8 +188,8 @@ impl Planned {
             let mut page = Page::new(head, DeferredParts::<TextInMemory>::default(), PYTHON_SPELLING);
             entry.into_iter().for_each(|entry| page.add(entry));
             let mut bytes = Vec::new();
-            page.finish(&mut bytes).map_err(|error| Problem::defect(error.to_string()))?;
-            String::from_utf8(bytes).map_err(|error| Problem::defect(error.to_string()))
+            page.finish(&mut bytes).map_err(Problem::defect)?;
+            String::from_utf8(bytes).map_err(Problem::defect)
         })
     }
 

@@ -42,7 +42,7 @@ impl Problem {
     }
 
     /// An internal error, which a user should report.
-    pub(crate) fn defect(message: String) -> Self {
+    pub(crate) fn defect(message: impl std::fmt::Display) -> Self {
         let text = format!("this is a defect of osim-contact-scale, please report it: {message}");
         Self { message: text, ..Self::general("ContactScaleError", "internal", "") }
     }

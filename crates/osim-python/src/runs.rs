@@ -201,7 +201,7 @@ pub(crate) fn sweep<'py>(
         let end = end?;
         Ok(((serde_json::to_value(sweep.record(Some(&end))), end.manifest), failures))
     })?;
-    let record = record.map_err(|error| Problem::defect(error.to_string()).into_error(py))?;
+    let record = record.map_err(|error| Problem::defect(error).into_error(py))?;
     let failures =
         failures.iter().map(|failure| dictionary(py, &FailureRecord::new(failure, PYTHON_SPELLING)));
     Ok((dictionary(py, &record)?, manifest, failures.collect::<PyResult<_>>()?))
