@@ -48,11 +48,6 @@ impl OpenedModel {
         self.path == path && self.set_files == *set_files
     }
 
-    /// Names of the files that the model was read from, the model's own file first.
-    pub(crate) fn names(&self) -> Vec<String> {
-        self.model.files().map(|(name, _)| name.to_owned()).collect()
-    }
-
     /// Files of the model with their digests.
     pub(crate) fn digests(&self) -> Vec<NamedDigest> {
         let digest =
@@ -185,7 +180,7 @@ pub(crate) fn inspect_for_page(
         inspection,
         sections,
         explained,
-        files: opened.names(),
+        files: opened.model.files().map(|(name, _)| name.to_owned()).collect(),
         verdicts,
         scene,
         falls,
