@@ -148,10 +148,7 @@ fn text_after_sweep(sweep: &SweepRun<'_>, request: &SweepRequest, end: &SweepEnd
 }
 
 fn report(record: &SweepRecord, text: &str, request: &SweepRequest, session: &mut Session) -> Result<()> {
-    if request.format == Format::Json {
-        session.terminal.print_records(&line(record))?;
-    } else {
-        session.terminal.print(text)?;
-    }
-    Ok(())
+    let json = request.format == Format::Json;
+    let text = if json { line(record) } else { text.to_owned() };
+    Ok(session.terminal.print_as(&text, json)?)
 }
