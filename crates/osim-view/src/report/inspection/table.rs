@@ -194,8 +194,9 @@ pub(crate) fn sentences_on_body(body: &StandingBody, extent: Extent) -> Vec<Stri
         sentence.push_str(&format!("; no coordinate brings the body to the floor: {why}"));
     }
     let mut sentences = vec![sentence];
-    let rests =
-        [("on all feet", body.as_posed.as_ref()), ("on one limb", rest_on_one_limb_if_different(body))];
+    let (one, all) = (body.on_one_limb.as_ref(), body.as_posed.as_ref());
+    let differs = |one: &&BodyAtRest| all.is_some_and(|all| one.spheres != all.spheres);
+    let rests = [("on all feet", all), ("on one limb", one.filter(differs))];
     let known = rests.into_iter().filter_map(|(how, rest)| Some((how, rest?)));
     sentences.extend(known.map(|(how, rest)| sentence_on_rest(body, how, rest, extent)));
     if body.as_posed.is_none() {
@@ -208,23 +209,16 @@ pub(crate) fn sentences_on_body(body: &StandingBody, extent: Extent) -> Vec<Stri
     sentences
 }
 
-/// The equilibrium of the body on one limb, if it differs from the equilibrium on all limbs.
-fn rest_on_one_limb_if_different(body: &StandingBody) -> Option<&BodyAtRest> {
-    let (one, all) = (body.on_one_limb.as_ref()?, body.as_posed.as_ref()?);
-    (one.spheres != all.spheres).then_some(one)
-}
-
 fn sentence_on_rest(body: &StandingBody, how: &str, rest: &BodyAtRest, extent: Extent) -> String {
     let limb = rest.limb.as_deref().map(|limb| format!(", {}", shown(limb))).unwrap_or_default();
     let load = extent.number(rest.load_n, four_significant);
-    if !rest.carried {
-        return format!(
-            "{how}{limb}: its spheres cannot carry the {load} N; {}",
-            depths_in_words(rest, extent)
-        );
-    }
-    let place = body.coordinate_at_rest(rest).map(|set| format!(" with {set}")).unwrap_or_default();
-    format!("{how}{limb}: carries {load} N{place}; {}", depths_in_words(rest, extent))
+    let carries = if rest.carried {
+        let place = body.coordinate_at_rest(rest).map(|set| format!(" with {set}")).unwrap_or_default();
+        format!("carries {load} N{place}")
+    } else {
+        format!("its spheres cannot carry the {load} N")
+    };
+    format!("{how}{limb}: {carries}; {}", depths_in_words(rest, extent))
 }
 
 /// The spheres that touch the floor, and how deep each is.
@@ -248,13 +242,12 @@ fn depths_in_words(rest: &BodyAtRest, extent: Extent) -> String {
     match (touching.len(), rest.spheres.len()) {
         (1, 1) => format!("its only sphere touches, {x}"),
         (some, of) if some == of => format!("all {of} spheres touch, {x}"),
-        (some, of) => format!("{some} of {of} spheres touch ({}), {x}", names_of_spheres(&touching, extent)),
+        (some, of) => {
+            let names: Vec<String> = touching.iter().map(|one| shown(&one.sphere).to_string()).collect();
+            let names = extent.names(&names, MOST_SPHERES_NAMED);
+            format!("{some} of {of} spheres touch ({names}), {x}")
+        }
     }
-}
-
-fn names_of_spheres(spheres: &[&StandingSphere], extent: Extent) -> String {
-    let names: Vec<String> = spheres.iter().map(|one| shown(&one.sphere).to_string()).collect();
-    extent.names(&names, MOST_SPHERES_NAMED)
 }
 
 // Forces with the same parameters together.
