@@ -143,14 +143,11 @@ impl Planned {
     /// The bytes of every file that was read, by name: from these the same plan can be made without a disk.
     fn read<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let files = PyDict::new(py);
-        for (path, bytes) in &self.beside {
-            files.set_item(path, PyBytes::new(py, bytes))?;
-        }
+        let beside = self.beside.iter().map(|(path, bytes)| (path.as_path(), bytes.as_slice()));
         let opened = &self.model.opened;
         let companions = opened.files().skip(1).map(|(name, bytes)| (Path::new(name), bytes));
-        for (path, bytes) in
-            companions.chain(opened.files().take(1).map(|(_, bytes)| (self.path.as_path(), bytes)))
-        {
+        let model = opened.files().take(1).map(|(_, bytes)| (self.path.as_path(), bytes));
+        for (path, bytes) in beside.chain(companions).chain(model) {
             files.set_item(path, PyBytes::new(py, bytes))?;
         }
         Ok(files)
