@@ -9,8 +9,7 @@ use osim_model::files::Failure;
 use osim_requests::options::OutputOptions;
 use walkdir::{DirEntry, WalkDir};
 
-use crate::file_access;
-use crate::file_access::{NameDigest, digest_of_name};
+use crate::file_access::{self, NameDigest, digest_of_name};
 use crate::paths::{Resolver, resolved};
 
 /// Default ending of the name of a folder with the variants of a sweep. Folders with this ending are not searched for models.

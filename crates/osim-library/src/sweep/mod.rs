@@ -15,13 +15,13 @@ use osim_requests::{RequestError, RequestFault, SweepRequest, verb_takes};
 use osim_view::report::results::SweepRecord;
 
 use crate::fault::{Context, LibraryFault};
-use crate::file_access;
-use crate::file_access::sha256;
+use crate::file_access::{self, sha256};
 use crate::partial::PartialFile;
 use crate::paths::{Resolver, resolved};
 use crate::source::{FileStamp, LoadedModel, ModelOrigin, ModelSource, SWEEP_FOLDER_ENDING};
 use crate::sweep::tables::{SweepTables, WrittenFiles, csv_line};
 use crate::workers::{thread_count, work_in_order};
+use crate::write::exchange::has_bytes;
 use crate::write::{OutputFolders, PendingFile, WriteMode};
 
 /// A sweep whose request was checked; nothing is written yet.
@@ -287,7 +287,7 @@ impl<'s> SweepRun<'s> {
         match self.write_file(path, bytes, mode) {
             Ok(()) => Ok(false),
             // Another run made it in the meantime.
-            Err(_) if self.table_mode() == WriteMode::Replace && has_bytes(path, bytes) => Ok(true),
+            Err(_) if self.table_mode() == WriteMode::Replace && has_bytes(path, &[bytes]) => Ok(true),
             Err(fault) => Err(fault),
         }
     }
@@ -325,11 +325,6 @@ impl<'s> SweepRun<'s> {
         }
         Err(LibraryFault::output_edited(path))
     }
-}
-
-/// Whether the file exists and has exactly these bytes.
-fn has_bytes(path: &Path, bytes: &[u8]) -> bool {
-    file_access::read_ordinary(path).is_ok_and(|existing| existing == bytes)
 }
 
 /// The folder for the variants: that of the request, else `NAME.sweep` beside the model.

@@ -9,8 +9,7 @@ use osim_model::messages::{Input, phrase};
 use osim_planning::{SweepPlan, cell, from_cell};
 
 use crate::fault::{Context, LibraryFault, fault_of_error, fault_of_panic};
-use crate::file_access;
-use crate::file_access::{NameDigest, digest_of_name};
+use crate::file_access::{self, NameDigest, digest_of_name};
 use crate::partial::{PartialFile, end_of_lines};
 use crate::paths::make_folder_of;
 

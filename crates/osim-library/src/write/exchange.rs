@@ -13,8 +13,7 @@ use std::path::{Path, PathBuf};
 
 use tempfile::{NamedTempFile, TempPath};
 
-use crate::file_access;
-use crate::file_access::sha256_of_parts;
+use crate::file_access::{self, sha256_of_parts};
 use crate::write::replace::backup_names;
 use crate::write::temporary;
 
@@ -158,7 +157,7 @@ pub(super) fn keep_as_backup(mut file: TempPath, target: &Path) -> Option<PathBu
 }
 
 /// Whether the file has exactly the bytes of `parts`, one after the other.
-pub(super) fn has_bytes(path: &Path, parts: &[&[u8]]) -> bool {
+pub(crate) fn has_bytes(path: &Path, parts: &[&[u8]]) -> bool {
     let Ok(bytes) = file_access::read_ordinary(path) else { return false };
     let mut rest = bytes.as_slice();
     parts.iter().all(|part| {
