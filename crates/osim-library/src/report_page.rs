@@ -8,6 +8,7 @@ use std::fs::File;
 use std::io::{BufWriter, Read, Seek, SeekFrom, Write};
 use std::path::Path;
 
+use osim_model::files::Failure;
 use osim_model::messages::{Input, phrase};
 use osim_planning::BeforeAfter;
 use osim_requests::options::RunOptions;
@@ -24,15 +25,6 @@ use crate::{Disk, LibraryFault, PendingFile, WriteMode, folder_of, make_folder_o
 /// A report page names this program as its generator within this number of first bytes.
 const SEARCHED_HEAD_BYTES: usize = 1024;
 
-/// Which existing files a new report page may replace.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum MayReplace {
-    Never,
-    /// Only report pages of this program, because a resumed run writes its page again.
-    ReportPages,
-    Files,
-}
-
 /// A report page that is being written. The file gets its final name when the page is complete.
 pub struct ReportPage {
     prepared: PendingFile,
@@ -40,34 +32,33 @@ pub struct ReportPage {
 }
 
 impl ReportPage {
-    /// Begins the report page that becomes the file `path`.
+    /// Begins the report page that becomes the file `path`, with the models that could not be listed. `may_replace` says whether it may
+    /// replace an existing file.
     ///
     /// # Errors
     /// The name has another ending than `.html`, the file exists already, or the folder cannot be written.
     pub fn begin(
         path: &Path,
-        replace: MayReplace,
+        may_replace: bool,
         head: PageHead,
+        failures: &[Failure],
         words: Words,
     ) -> Result<Self, LibraryFault> {
         check_name(path)?;
-        let replaces = match replace {
-            MayReplace::Never => false,
-            MayReplace::ReportPages => is_report_page(path),
-            MayReplace::Files => true,
-        };
-        if path.exists() && !replaces {
+        if path.exists() && !may_replace {
             return Err(LibraryFault::file_exists(path, Input::Report));
         }
         make_folder_of(path)?;
-        let mode = if replaces { WriteMode::Replace } else { WriteMode::New };
+        let mode = if may_replace { WriteMode::Replace } else { WriteMode::New };
         let prepared = PendingFile::begin(path, None, mode)?;
         let kept = DeferredParts {
             failures: NamelessFile::in_folder_of(path)?,
             rows: NamelessFile::in_folder_of(path)?,
             details: NamelessFile::in_folder_of(path)?,
         };
-        Ok(Self { prepared, page: Page::new(head, kept, words) })
+        let mut page = Page::new(head, kept, words);
+        failures.iter().for_each(|failure| page.add(Entry::failed(failure, words)));
+        Ok(Self { prepared, page })
     }
 
     /// Begins the report page about a run with the models that could not be listed. The page shows `call`. `None` if the options
@@ -86,15 +77,9 @@ impl ReportPage {
         };
         let is_for_one_model = request.tasks.len() + request.failures.len() == 1;
         let head = PageHead::new(request.verb, is_for_one_model.then(shown), Columns::Changes, call);
-        let replace = match (request.force, run.is_resumed()) {
-            (true, _) => MayReplace::Files,
-            // A resumed run writes its page again, as it does its summary.
-            (false, true) => MayReplace::ReportPages,
-            (false, false) => MayReplace::Never,
-        };
-        let mut page = Self::begin(path, replace, head, words)?;
-        request.failures.iter().for_each(|failure| page.add(Entry::failed(failure, words)));
-        Ok(Some(page))
+        // A resumed run writes its page again, as it does its summary.
+        let may_replace = request.force || run.is_resumed() && is_report_page(path);
+        Self::begin(path, may_replace, head, &request.failures, words).map(Some)
     }
 
     /// Adds the entry of the next model.

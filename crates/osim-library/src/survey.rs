@@ -14,7 +14,7 @@ use osim_view::report::check::{self, LibraryTable};
 use osim_view::report::extent::Layout;
 use osim_view::report::inspection::{self, ModelsTable};
 
-use crate::report_page::{MayReplace, ReportPage, Words};
+use crate::report_page::{ReportPage, Words};
 use crate::run::{ModelToFix, PathConflicts};
 use crate::source::MemoryFirst;
 use crate::workers::{thread_count, work_in_order};
@@ -67,11 +67,9 @@ impl Survey<'_> {
             _ => None,
         };
         let head = PageHead::new(self.verb, shown, Columns::Inspections, call);
-        let replace = if self.report.force { MayReplace::Files } else { MayReplace::Never };
         OutputFolders::list(std::iter::once(path.as_path()), true);
-        let mut page = ReportPage::begin(path, replace, head, self.words)?;
-        self.sources.failures.iter().for_each(|failure| page.add(Entry::failed(failure, self.words)));
-        Ok(Some(page))
+        let failures = &self.sources.failures;
+        ReportPage::begin(path, self.report.force, head, failures, self.words).map(Some)
     }
 
     /// Inspects or checks all models on `jobs` threads, until `is_stopped` returns true. Puts each model on the `page`, then calls `each`
