@@ -11,7 +11,7 @@ use osim_model::messages::{Dialect, Phrase};
 use osim_model::{FindingCode, Rule, Severity};
 use osim_planning::rules;
 
-use crate::html::fragment::section;
+use crate::html::page_frame::section;
 use crate::report::explain::{self, ErrorCode, equations};
 use crate::report::layout::OUTSIDE_MARK;
 

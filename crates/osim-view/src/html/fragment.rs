@@ -4,6 +4,7 @@ use maud::{Markup, PreEscaped, html};
 use serde::Serialize;
 
 use crate::html::explained::Topics;
+use crate::html::page_frame::section;
 
 /// The sections of one model on the page.
 pub(super) struct Fragment {
@@ -63,16 +64,6 @@ impl Fragment {
             html! { h5 { (text) } }
         }
     }
-}
-
-/// The beginning of a section with this id and title, and its heading.
-pub(super) fn section_opening((id, title): (&str, &str)) -> String {
-    format!("<section id=\"{id}\" aria-labelledby=\"{id}-title\"><h2 id=\"{id}-title\">{title}</h2>")
-}
-
-/// A section of the page with its heading.
-pub(super) fn section(head: (&str, &str), body: &Markup) -> Markup {
-    html! { (PreEscaped(section_opening(head))) (body) (PreEscaped("</section>")) }
 }
 
 /// A table in a box that scrolls if the page is too narrow. Screen readers call it `name`.

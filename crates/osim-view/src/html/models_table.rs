@@ -5,7 +5,8 @@ use osim_model::messages::Dialect;
 
 use crate::html::entry::{Cell, DONE_EARLIER_MARK, Entry};
 use crate::html::explained::{Topics, breakable_path};
-use crate::html::fragment::{header_cell, section as titled_section, section_opening};
+use crate::html::fragment::header_cell;
+use crate::html::page_frame::{section as titled_section, section_opening};
 use crate::html::plots;
 use crate::html::special_models::ChosenModels;
 

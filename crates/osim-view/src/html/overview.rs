@@ -11,7 +11,8 @@ use osim_model::{FindingCode, Severity};
 use crate::figures;
 use crate::html::entry::{DONE_EARLIER_MARK, Entry};
 use crate::html::explained::{Topics, marked_outside, severity_tag};
-use crate::html::fragment::{section, table};
+use crate::html::fragment::table;
+use crate::html::page_frame::section;
 use crate::html::special_models::{Indentation, is_too_deep};
 
 /// Id and title of the section with the numbers of models and findings.

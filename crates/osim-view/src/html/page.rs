@@ -7,7 +7,7 @@ use osim_requests::spell::FrontEnd;
 use osim_requests::verb_entry;
 
 use crate::html::explained::{self, Topics, file_name};
-use crate::html::fragment::{Fragment, section_opening};
+use crate::html::fragment::Fragment;
 use crate::html::models_table::{self, Columns};
 use crate::html::overview::{self, PageCounts};
 use crate::html::special_models::{ChosenModels, MOST_DRAWN_MODELS};
@@ -150,7 +150,7 @@ impl<'d, S: DeferredText> Page<'d, S> {
 
     fn write_library(&mut self, findings: &str, page: &mut dyn Write) -> io::Result<()> {
         let remarks_on_omissions = self.remarks_on_omissions();
-        writeln!(page, "{}{}", section_opening(overview::SECTION_HEAD), self.counts.counts().0)?;
+        writeln!(page, "{}{}", page_frame::section_opening(overview::SECTION_HEAD), self.counts.counts().0)?;
         if self.counts.failed > 0 {
             page.write_all(models_table::failures_opening(self.head.columns).as_bytes())?;
             self.parts.failures.write_to(page)?;
@@ -167,7 +167,7 @@ impl<'d, S: DeferredText> Page<'d, S> {
             page.write_all(terminal_safe(&models_table::section(&self.chosen, self.dialect).0).as_bytes())?;
         }
         if self.shown_in_full > 0 {
-            writeln!(page, "{}", section_opening(models_table::MODELS_IN_FULL_SECTION))?;
+            writeln!(page, "{}", page_frame::section_opening(models_table::MODELS_IN_FULL_SECTION))?;
             self.parts.details.write_to(page)?;
             page.write_all(models_table::END_OF_SECTION.as_bytes())?;
         }

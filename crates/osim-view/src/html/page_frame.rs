@@ -1,10 +1,8 @@
-//! The parts of a page around the models: head, contents, the command, and the origin of the page.
+//! The parts of a page around the models: head, contents, sections with their headings, the command, and the origin of the page.
 
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 use osim_model::messages::Verb;
 use osim_requests::verb_entry;
-
-use crate::html::fragment::section;
 
 const STYLE_SHEET: &str = include_str!("style.css");
 
@@ -56,6 +54,16 @@ pub(super) fn purpose(verb: Verb, command: &str) -> String {
         (command_line(command))
     };
     section(COMMAND_SECTION, &body).0
+}
+
+/// The beginning of a section with this id and title, and its heading.
+pub(super) fn section_opening((id, title): (&str, &str)) -> String {
+    format!("<section id=\"{id}\" aria-labelledby=\"{id}-title\"><h2 id=\"{id}-title\">{title}</h2>")
+}
+
+/// A section of the page with its heading.
+pub(super) fn section(head: (&str, &str), body: &Markup) -> Markup {
+    html! { (PreEscaped(section_opening(head))) (body) (PreEscaped("</section>")) }
 }
 
 /// A command in a box. A long command breaks between words, but never after the dashes of an option.
