@@ -165,7 +165,10 @@ fn describe_other_side(model: &Model, force: &Force) -> Option<String> {
     let side = Side::of_name(force.name.trim_end_matches(|letter: char| letter.is_ascii_digit()))?;
     let spheres = force.spheres().into_iter().filter_map(|id| model.sphere(id));
     let sides = spheres.filter_map(|sphere| Some((sphere, Side::of_name(sphere.body.as_deref()?)?)));
-    let other: Vec<_> = sides.filter(|(_, of_body)| *of_body != side).collect();
+    // A sphere with a name of the force's side is itself on the wrong body, which is another finding.
+    let is_other =
+        |(sphere, of_body): &(&Sphere, Side)| *of_body != side && Side::of_name(&sphere.name) != Some(side);
+    let other: Vec<_> = sides.filter(is_other).collect();
     let (first, of_body) = other.first()?;
     let more = other_cases_in_words(other.len(), "another sphere, too", "other spheres, too");
     Some(format!(

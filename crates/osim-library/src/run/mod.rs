@@ -98,12 +98,10 @@ impl<'r> Run<'r> {
 
     /// Refuses the whole run if several of its results exist already and may not be replaced.
     fn refuse_existing_results(&self) -> Result<(), LibraryFault> {
-        let RunOptions { dry_run, resume, summary, .. } = self.context.run;
-        // A run that kept no summary cannot be resumed.
-        let resume = *resume && summary.as_deref().is_some_and(Path::exists);
+        let RunOptions { dry_run, resume, .. } = *self.context.run;
         let is_new =
             |task: &&Task| matches!(task.destination, ResultDestination::File(_)) && !task.settings.force;
-        let results = self.request.tasks.iter().filter(|_| !*dry_run && !resume).filter(is_new);
+        let results = self.request.tasks.iter().filter(|_| !dry_run && !resume).filter(is_new);
         let mode = WriteMode::NewSince(self.context.start);
         let stays = |path: &&Path| path.metadata().is_ok_and(|existing| !mode.is_of_other_run(&existing));
         let existing: Vec<&Path> = results.filter_map(Task::output).filter(stays).collect();

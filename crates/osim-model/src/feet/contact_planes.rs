@@ -8,7 +8,9 @@ use foldhash::{HashMap, HashSet};
 use glam::DVec3;
 
 use super::default_pose::{DefaultPose, WeldedGroups};
-use crate::model::{ElementId, FileId, Force, ForceId, HalfSpace, Model, Placement, Sphere, SphereId};
+use crate::model::{
+    ElementId, FileId, Force, ForceId, HalfSpace, Model, Placement, Sphere, SphereId, angle_between,
+};
 
 /// A plane that leans by more than this angle is a wall, rad: 45 degrees. The steepest published slope has 20.5 degrees; upright planes
 /// have 90 degrees.
@@ -211,28 +213,4 @@ fn centre_m(model: &Model, pose: &DefaultPose, sphere: &Sphere) -> Result<DVec3,
         Some(body) => pose.placement(body).map_err(|fault| fault.to_string())?.point(place),
     };
     place.is_finite().then_some(place).ok_or_else(unread)
-}
-
-/// The angle between two vectors, rad, from 0 to π: atan2(|a × b|, a · b), which is exact near 0 and π, too.
-pub fn angle_between(a: DVec3, b: DVec3) -> f64 {
-    libm::atan2(a.cross(b).length(), a.dot(b))
-}
-
-#[cfg(test)]
-mod tests {
-    use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
-
-    use super::*;
-
-    #[test]
-    fn angles_do_not_depend_on_vector_lengths() {
-        let at = DVec3::new;
-        assert_eq!(angle_between(at(0.0, 2.0, 0.0), at(0.0, 3.0, 0.0)), 0.0);
-        assert_eq!(angle_between(at(0.0, 2.0, 0.0), at(0.0, 0.0, -5.0)), FRAC_PI_2);
-        assert_eq!(angle_between(at(0.0, 1.0, 0.0), at(0.0, -1.0, 0.0)), PI);
-        assert!((angle_between(at(1.0, 1.0, 0.0), at(0.0, 7.0, 0.0)) - FRAC_PI_4).abs() < 1e-15);
-        // 3 to 4: tan a = 3/4. Small angles keep their digits, which an arc cosine loses.
-        assert!((angle_between(at(3.0, 4.0, 0.0), DVec3::Y) - 0.75_f64.atan()).abs() < 1e-15);
-        assert!((angle_between(at(1e-9, 1.0, 0.0), DVec3::Y) - 1e-9).abs() < 1e-24);
-    }
 }

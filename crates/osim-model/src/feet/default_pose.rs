@@ -7,9 +7,9 @@ use std::sync::Arc;
 use foldhash::{HashMap, HashMapExt, HashSet};
 use glam::DVec3;
 
-use super::contact_planes::angle_between;
 use super::couplers::CoordinateValues;
 use super::fault::PoseFault;
+use crate::model::angle_between;
 use crate::model::{Model, ModelJoint, Placement};
 
 /// Two chains of joints to one body agree if they lead to places at most this far apart, m.

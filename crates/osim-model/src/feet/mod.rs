@@ -44,8 +44,9 @@ mod sole;
 mod sole_pose;
 mod standing;
 
+pub use crate::model::angle_between;
 pub use bones::{AttachedBones, Bone, MeshFolders, OddMesh, attached_surface, bones, odd_meshes, odd_size};
-pub use contact_planes::{ContactPlane, PairsOfForce, PlaneSurface, STEEPEST_FLOOR_RAD, angle_between};
+pub use contact_planes::{ContactPlane, PairsOfForce, PlaneSurface, STEEPEST_FLOOR_RAD};
 pub use couplers::{Coupler, Couplers, prescribed_function};
 pub use default_pose::{DefaultPose, JointStep, joints_from_ground};
 pub use fault::{FeetFault, PoseFault};

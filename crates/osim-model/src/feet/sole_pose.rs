@@ -2,11 +2,11 @@
 
 use glam::DVec3;
 
-use super::contact_planes::angle_between;
 use super::couplers::CoordinateValues;
 use super::default_pose::DefaultPose;
 use super::sole::Sole;
 use crate::messages::{readable, shown};
+use crate::model::angle_between;
 use crate::model::{Model, ModelJoint, Placement, without_side};
 
 /// A coordinate that tilts a foot by less than this is ignored, rad: 0.3 degrees.

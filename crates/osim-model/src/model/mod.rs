@@ -78,7 +78,7 @@ pub use names::{
 pub use note::{
     BodySize, ChangedContacts, ChangedSinceNote, Credits, Note, NotedNames, NotedParts, Scope, Source, Step,
 };
-pub use placement::{Axis, LevelAxis, MovingPlacement, Placement, Rotation};
+pub use placement::{Axis, LevelAxis, MovingPlacement, Placement, Rotation, angle_between};
 pub use property::{Class, Property, Value, ValueOrigin};
 pub use rules::RULES;
 pub use selection::{Selected, Selection};

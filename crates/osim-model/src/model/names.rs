@@ -136,7 +136,7 @@ impl Eq for Pattern {}
 ///
 /// assert_eq!(nearest_names("Calcn-R", ["calcn_l", "calcn_r"], 2), ["calcn_r"]);
 /// // Short names are near to everything.
-/// assert!(nearest_names("sex", ["set", "yes"], 2).is_empty());
+/// assert!(nearest_names("sex", ["yes"], 2).is_empty());
 /// ```
 pub fn nearest_names<'n>(
     written: &str,

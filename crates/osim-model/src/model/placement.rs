@@ -300,14 +300,33 @@ impl MovingPlacement {
     }
 }
 
+/// The angle between two vectors, rad, from 0 to π: atan2(|a × b|, a · b), which is exact near 0 and π, too.
+pub fn angle_between(a: DVec3, b: DVec3) -> f64 {
+    libm::atan2(a.cross(b).length(), a.dot(b))
+}
+
 #[cfg(test)]
 mod tests {
+    use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
+
     use super::*;
+
+    #[test]
+    fn angles_do_not_depend_on_vector_lengths() {
+        let at = DVec3::new;
+        assert_eq!(angle_between(at(0.0, 2.0, 0.0), at(0.0, 3.0, 0.0)), 0.0);
+        assert_eq!(angle_between(at(0.0, 2.0, 0.0), at(0.0, 0.0, -5.0)), FRAC_PI_2);
+        assert_eq!(angle_between(at(0.0, 1.0, 0.0), at(0.0, -1.0, 0.0)), PI);
+        assert!((angle_between(at(1.0, 1.0, 0.0), at(0.0, 7.0, 0.0)) - FRAC_PI_4).abs() < 1e-15);
+        // 3 to 4: tan a = 3/4. Small angles keep their digits, which an arc cosine loses.
+        assert!((angle_between(at(3.0, 4.0, 0.0), DVec3::Y) - 0.75_f64.atan()).abs() < 1e-15);
+        assert!((angle_between(at(1e-9, 1.0, 0.0), DVec3::Y) - 1e-9).abs() < 1e-24);
+    }
 
     #[test]
     fn scale_factors_turn_with_the_frame() {
         // A quarter turn about z: the frame's x is the body's y.
-        let quarter = Rotation::body_fixed_xyz([0.0, 0.0, std::f64::consts::FRAC_PI_2]);
+        let quarter = Rotation::body_fixed_xyz([0.0, 0.0, FRAC_PI_2]);
         let [x, y, z] = quarter.scaled_in_frame([2.0, 3.0, 5.0], [1.0, 1.0, 1.0]);
         assert!((x - 3.0).abs() < 1e-12 && (y - 2.0).abs() < 1e-12 && (z - 5.0).abs() < 1e-12);
         let unturned = Rotation::IDENTITY.scaled_in_frame([2.0, 3.0, 5.0], [0.1, 1.0, 1.0]);
@@ -334,7 +353,7 @@ mod tests {
 
     #[test]
     fn turning_about_an_axis_is_turning_by_body_fixed_angles() {
-        let quarter = std::f64::consts::FRAC_PI_2;
+        let quarter = FRAC_PI_2;
         // Right-handed: about z, x becomes y; about twice y, z becomes x.
         let DVec3 { x, y, z } = Rotation::about(DVec3::Z, quarter).to_body(DVec3::X);
         assert!(x.abs() < 1e-15 && (y - 1.0).abs() < 1e-15 && z == 0.0);

@@ -7,9 +7,10 @@ use contact_scaling::{DomainError, Law, Spheres};
 use foldhash::{HashMap, HashMapExt};
 use glam::DVec3;
 
-use crate::feet::contact_planes::{ContactPlane, PlaneSurface, STEEPEST_FLOOR_RAD, angle_between};
+use crate::feet::contact_planes::{ContactPlane, PlaneSurface, STEEPEST_FLOOR_RAD};
 use crate::feet::default_pose::DefaultPose;
 use crate::feet::fault::PoseFault;
+use crate::model::angle_between;
 use crate::model::{ForceId, LoadedSphere, Model, SphereId};
 
 /// The height of a sphere over its floor at the default pose.

@@ -11,9 +11,10 @@ use contact_scaling::DomainError;
 use foldhash::{HashMap, HashMapExt, HashSet};
 use glam::DVec3;
 
-use super::contact_planes::{ContactPlane, PlaneSurface, angle_between};
+use super::contact_planes::{ContactPlane, PlaneSurface};
 use super::default_pose::DefaultPose;
 use super::fault::PoseFault;
+use crate::model::angle_between;
 use crate::model::{ForceId, Model, SphereId, loaded_spheres};
 use heights_over_floor::{FloorContact, SphereFloors};
 pub use heights_over_floor::{RestLaw, RestOnFloor, RestingSphere, SphereOverFloor};

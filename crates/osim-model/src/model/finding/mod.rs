@@ -136,7 +136,7 @@ impl Finding {
         self.paths().map(|path| Some(path.as_str())).chain(no_path)
     }
 
-    /// What findings of one cause have in common: all but their lines, and in their texts the component paths and the names behind "m for".
+    /// What findings of one cause have in common: all but their lines, and in their texts the component paths and the names after "m for".
     fn cause(&self) -> String {
         let texts = std::iter::once(self.message.to_string()).chain(self.details.iter().cloned());
         let without_paths = texts.map(|text| {

@@ -56,9 +56,17 @@ pub fn one_legged(m: &Published) -> Edited {
         spheres.any(|sphere| is_left(&sphere.name))
     });
     let forces: Vec<ElementId> = of_left.map(osim_model::Force::element).collect();
+    // OpenSim refuses markers and muscles on a body that is gone.
+    let hangs_on_left = |id: ElementId| {
+        tree.children(id).any(|child| {
+            let frame = tree.raw_text(child).text;
+            tree.name(child).starts_with("socket_") && is_left(frame.rsplit('/').next().unwrap_or_default())
+        })
+    };
     let halved = without(m, |id| {
         let in_list = tree.parent(id).is_some_and(|list| tree.name(list) == "objects");
-        forces.contains(&id) || in_list && tree.attribute(id, "name").is_some_and(|name| is_left(&name))
+        let is_left = || tree.attribute(id, "name").is_some_and(|name| is_left(&name));
+        forces.contains(&id) || in_list && (is_left() || hangs_on_left(id))
     })?;
     let halved = Published::parse(m.name, halved);
     let mass = |m: &Published| m.model.bodies().iter().filter_map(|body| body.mass_kg().ok()).sum::<f64>();
