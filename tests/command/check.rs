@@ -314,10 +314,10 @@ fn findings_agree_with_their_topics_in_explain() {
                 as_published || is_to_do || is_left || topic["severity"] == finding.severity.as_str(),
                 "{finding:?}"
             );
-            assert_eq!(
-                (&topic["why"], &topic["advice"]),
-                (&finding.why.as_str().into(), &finding.advice.as_str().into())
-            );
+            assert_eq!(topic["why"], finding.why.as_str());
+            // Nobody is asked for the original who named it.
+            let is_named = case.check.contains("--from") && topic["advice"].to_string().contains("--from");
+            assert!(is_named || topic["advice"] == finding.advice.as_str(), "{finding:?}");
             assert!(!finding.message.is_empty() && ![finding.line, finding.column].contains(&Some(0)));
             assert_eq!(finding.line.is_some(), finding.column.is_some());
             assert!(

@@ -76,8 +76,8 @@ pub fn hertz_indentation_of_lowest(spheres: &[RaisedSpheres], load_n: f64) -> Re
     let load = require_positive("load", load_n)?;
     // As deep as if all were as high as the highest.
     let sum: f64 = spheres.iter().map(|s| s.spheres.count() * s.spheres.law().hertz().coefficient()).sum();
-    let deepest =
-        highest_bottom_m(spheres) + depth(load, require_positive("sum of force coefficients", sum)?);
+    let highest_m = spheres.iter().map(|s| s.height_m).fold(0.0, f64::max);
+    let deepest = highest_m + depth(load, require_positive("sum of force coefficients", sum)?);
     require_range(deepest.is_finite(), "load", load_n, "a load that the spheres can carry")?;
     let summed = |x: f64, force_shape: fn(f64) -> f64| -> f64 {
         let one = |s: &RaisedSpheres| {
@@ -113,10 +113,6 @@ pub fn hertz_indentation_of_lowest(spheres: &[RaisedSpheres], load_n: f64) -> Re
 /// ```
 pub fn indentation_of_lowest(spheres: &[RaisedSpheres], load_n: f64) -> Result<f64, DomainError> {
     first_equilibrium(spheres, load_n, hertz_indentation_of_lowest(spheres, load_n)?)
-}
-
-fn highest_bottom_m(spheres: &[RaisedSpheres]) -> f64 {
-    spheres.iter().map(|s| s.height_m).fold(0.0, f64::max)
 }
 
 // The first rest of a body that is lowered onto spheres, level or at several heights.

@@ -56,7 +56,7 @@ impl Plate {
                 prefix.as_deref().map(|prefix| columns_with_prefix(table, prefix)).transpose()
             };
             let mut frames = [&load.force_frame, &load.point_frame].into_iter();
-            if let Some(frame) = frames.find(|frame| !is_ground(frame)) {
+            if let Some(frame) = frames.find(|frame| !["", "ground", "/ground"].contains(&frame.as_str())) {
                 let text = format!("load '{}' is expressed in '{frame}'", load.name);
                 return Err(MotionFault::new(format!("{text}: only loads in ground are understood")));
             }
@@ -121,11 +121,6 @@ impl Plate {
     fn wrench_of_row(&self, row: usize) -> Option<(f64, Wrench)> {
         Some((*self.time_s.get(row)?, *self.wrenches.get(row)?))
     }
-}
-
-/// Whether the name of a frame means ground.
-fn is_ground(frame: &str) -> bool {
-    matches!(frame, "" | "ground" | "/ground")
 }
 
 impl Wrench {

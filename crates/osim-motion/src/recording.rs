@@ -123,21 +123,6 @@ impl Recording {
         Ok(pose)
     }
 
-    /// Every frame, or at most `most` frames in equal distances.
-    pub(crate) fn some_frames(&self, most: usize) -> Self {
-        let step = self.frames().div_ceil(most).max(1);
-        let rows =
-            |all: &[f64]| all.chunks_exact(self.coordinates.len()).step_by(step).flatten().copied().collect();
-        Self {
-            time_s: self.time_s.iter().step_by(step).copied().collect(),
-            coordinates: self.coordinates.clone(),
-            facts: self.facts.clone(),
-            values: rows(&self.values),
-            speeds: rows(&self.speeds),
-            has_opensim_speeds: self.has_opensim_speeds.clone(),
-        }
-    }
-
     /// The recording after `change` of the values and speeds of each frame; dependent coordinates follow.
     pub(crate) fn changed(
         &self,

@@ -161,15 +161,6 @@ impl ContactStates {
         Self::from_pairs(model, recording, (self.pairs.clone(), self.planes.clone()), belt, Some(known))
     }
 
-    /// The motions of the joints that move these pairs.
-    pub(crate) fn motions_of_joints<'r>(
-        &self,
-        model: &Model,
-        recording: &'r Recording,
-    ) -> Result<JointMotions<'r>, StatesError> {
-        Ok(paths_to(model, &self.pairs, &self.planes)?.motions_of_joints(recording))
-    }
-
     /// Computes the states of given contact pairs along a recording, with the motions of joints in another one if these are `known`.
     fn from_pairs(
         model: &Model,
@@ -225,7 +216,7 @@ impl ContactStates {
 }
 
 /// The paths to the bodies of all spheres and surfaces.
-fn paths_to<'m>(
+pub(crate) fn paths_to<'m>(
     model: &'m Model,
     pairs: &[ContactPair],
     planes: &[HalfSpace],

@@ -210,11 +210,9 @@ fn manual_pages() -> Vec<Man> {
     command.build();
     let command = in_full(command).mut_subcommands(in_full);
     let verbs: Vec<Man> = command.get_subcommands().cloned().map(Man::new).collect();
-    verbs.into_iter().chain([Man::new(command)]).map(with_title_of_manual).collect()
-}
-
-fn with_title_of_manual(page: Man) -> Man {
-    page.manual("OpenSim contacts").source(concat!("osim-contact-scale ", env!("CARGO_PKG_VERSION")))
+    let source = concat!("osim-contact-scale ", env!("CARGO_PKG_VERSION"));
+    let pages = verbs.into_iter().chain([Man::new(command)]);
+    pages.map(|page| page.manual("OpenSim contacts").source(source)).collect()
 }
 
 fn page_bytes(page: &Man) -> Result<Vec<u8>> {

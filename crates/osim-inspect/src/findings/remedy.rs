@@ -138,11 +138,6 @@ impl<'m> Remedies<'m> {
         Some(SetRequest { models, level: true, ..self.set(Vec::new())? }.into())
     }
 
-    /// A remedy that multiplies a property by a factor.
-    fn multiply(&self, property: Property, factor: f64) -> Option<Request> {
-        self.set(vec![(property, Assignment::Factor(factor))]).map(Request::from)
-    }
-
     /// A remedy that reduces x̂ under body weight to its limit. If the law is smoothed, it reduces the constant indentation, too.
     pub(crate) fn reduce_indentation(&self, spheres: &[&SphereFigures]) -> Option<Request> {
         let limit = limits::INDENTATION.value;
@@ -151,7 +146,8 @@ impl<'m> Remedies<'m> {
             let depths = spheres.iter().filter_map(|sphere| sphere.value(Figure::Indentation));
             let deepest = depths.fold(0.0, f64::max);
             let factor = (deepest / limit).powf(1.5);
-            return self.multiply(Property::Stiffness, (factor * 1e3).ceil() / 1e3);
+            let factor = Assignment::Factor((factor * 1e3).ceil() / 1e3);
+            return self.set(vec![(Property::Stiffness, factor)]).map(Request::from);
         }
         let smooth = spheres.iter().any(|sphere| sphere.value(Figure::ConstantIndentation).is_some());
         let constant = smooth.then(|| constant_indentation_below(limit));

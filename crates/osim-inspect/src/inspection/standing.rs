@@ -174,7 +174,9 @@ impl StandingBody {
         };
         let lift = standing.lift.as_ref();
         let bottoms = bottoms_of_spheres(model, standing);
-        let is_wanted = rests == RestsToCompute::All || may_be_off_floor(&bottoms);
+        let is_off_floor =
+            bottoms.iter().any(Bottom::is_inside) || lowest_bottom(&bottoms).is_some_and(Bottom::is_above);
+        let is_wanted = rests == RestsToCompute::All || is_off_floor;
         Self {
             body: standing.top.clone(),
             mass_kg: standing.mass_kg,
@@ -224,11 +226,6 @@ impl Bottom {
 /// The lowest of the bottoms; of equally low bottoms, the first.
 fn lowest_bottom(bottoms: &[Bottom]) -> Option<&Bottom> {
     bottoms.iter().reduce(|a, b| if b.height_m < a.height_m - SAME_HEIGHT_M { b } else { a })
-}
-
-/// Whether a body whose spheres have these bottoms may be inside its floor or above it.
-fn may_be_off_floor(bottoms: &[Bottom]) -> bool {
-    bottoms.iter().any(Bottom::is_inside) || lowest_bottom(bottoms).is_some_and(Bottom::is_above)
 }
 
 /// The bottoms of all spheres of a joint tree over its floor.

@@ -24,11 +24,6 @@ pub(super) fn find_sunk_in_spheres(check: &FigureCheck<'_>) -> Option<FindingWit
     sunk_in_level(check).or_else(|| sunk_in_at_own_heights(check))
 }
 
-/// The x̂ of the sphere with each sphere of the limb at its own height, if the sphere is then in the floor up to its centre.
-fn too_deep_at_own_height(sphere: &SphereFigures) -> Option<f64> {
-    sphere.value(Figure::StandingIndentationModelLaw).filter(|&x| x >= UP_TO_CENTRE_RADII)
-}
-
 /// Finds spheres that sink in up to their centres even if all bottoms are level. No body stands on a wall.
 fn sunk_in_level(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> {
     let bottoms = check.inspected.standing.iter().flat_map(|body| &body.bottoms);
@@ -87,7 +82,10 @@ fn sunk_in_at_own_heights(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> 
         limb.is_some_and(|limb| limb.iter().any(|one| leaning.contains(&one.path.as_str())))
     };
     let too_deep = |leans: bool| {
-        check.spheres_with(|sphere| too_deep_at_own_height(sphere).filter(|_| limb_leans(sphere) == leans))
+        check.spheres_with(|sphere| {
+            let x = sphere.value(Figure::StandingIndentationModelLaw);
+            x.filter(|&x| x >= UP_TO_CENTRE_RADII && limb_leans(sphere) == leans)
+        })
     };
     if let Some(affected) = too_deep(true).filter(|_| too_deep(false).is_none()) {
         let text = format!(

@@ -90,7 +90,7 @@ fn rows_of_first_sheet(book: &mut Xlsx<Cursor<&[u8]>>) -> Result<CellTextsByRow,
             return Err(broken());
         }
         let text = text_of_cell(&Data::from(cell.get_value().clone()))
-            .map_err(|why| fault_of_cell(row, column, &why))?;
+            .map_err(|why| FileError::new(format!("cell {}{} {why}", column_letters(column), row + 1)))?;
         if !text.is_empty() {
             rows.entry(row).or_default().insert(column, text);
         }
@@ -162,11 +162,6 @@ fn name_of_error(error: &CellErrorType) -> &'static str {
         CellErrorType::Value => "#VALUE!",
         _ => "an error",
     }
-}
-
-/// The fault of a cell, with the cell's name as in spreadsheets, such as `B3`.
-fn fault_of_cell(row: u32, column: u32, why: &str) -> FileError {
-    FileError::new(format!("cell {}{} {why}", column_letters(column), row + 1))
 }
 
 /// A column as letters: A to Z, then AA and so on.

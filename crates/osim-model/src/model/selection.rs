@@ -60,8 +60,9 @@ impl Selection {
     /// The model has no force, no force matches, or the forces belong to several animals and the caller made no choice.
     pub fn apply(&self, model: &Model) -> Result<Selected, Fault> {
         let explicit = !self.select.is_empty();
+        let moves = |id| model.sphere(id).is_some_and(|sphere| !sphere.fixed);
         let candidates = match explicit {
-            true => force_ids_where(model, |force| has_moving_sphere(model, force)),
+            true => force_ids_where(model, |force| force.spheres().into_iter().any(moves)),
             false => force_ids_where(model, |force| model.meets_half_space(force)),
         };
         let selected = self.apply_among(model, &candidates)?;
@@ -142,10 +143,6 @@ impl Model {
         let names = self.short_component_names(&carriers);
         Some(format!("these feet have {class}, which this program does not scale: {names}"))
     }
-}
-
-fn has_moving_sphere(model: &Model, force: &Force) -> bool {
-    force.spheres().into_iter().any(|id| model.sphere(id).is_some_and(|sphere| !sphere.fixed))
 }
 
 fn no_contacts(model: &Model) -> Fault {

@@ -4,6 +4,7 @@ use osim_model::feet::Couplers;
 use osim_model::{DVec3, Model};
 
 use super::unknowns::CorrectedCoordinate;
+use crate::states::paths_to;
 use crate::{Belt, ContactState, ContactStates, Foot, Recording, StatesError};
 
 /// Indentation (m), its rate (m/s), and the slip velocity along the two level directions (m/s) of a sphere.
@@ -41,7 +42,7 @@ impl FootSlopes {
         (feet, coordinates): (&[Foot], &[CorrectedCoordinate]),
         level: [DVec3; 2],
     ) -> Result<Vec<Self>, StatesError> {
-        let known = contacts.motions_of_joints(model, recording)?;
+        let known = paths_to(model, &contacts.pairs, &contacts.planes)?.motions_of_joints(recording);
         let along = |recording: &Recording| contacts.along_after(model, &known, recording, belt);
         let states = along(recording)?;
         let state_of = |states: &ContactStates, frame: usize, pair: usize| {

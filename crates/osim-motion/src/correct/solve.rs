@@ -33,21 +33,18 @@ impl NormalEquations {
     /// Adds a residual with its derivatives by some unknowns, in rising order.
     pub(super) fn add(&mut self, derivatives: &[(usize, f64)], residual: f64) {
         let slopes: Vec<f64> = derivatives.iter().map(|(_, slope)| *slope).collect();
-        // Unknowns without a gap between them are next to each other in each row, too.
-        let runs: Vec<&[(usize, f64)]> = derivatives.chunk_by(|a, b| a.0 + 1 == b.0).collect();
         for (number, &(i, slope)) in derivatives.iter().enumerate() {
             self.gradient[i] += slope * residual;
             let (first, row) = self.row(i);
-            let mut before = 0;
-            for run in &runs {
-                let from = row.start + run[0].0 - first;
-                let others = &slopes[before..(before + run.len()).min(number + 1)];
-                let entries = &mut self.entries[from..from + others.len()];
-                entries.iter_mut().zip(others).for_each(|(entry, other)| *entry += slope * other);
-                before += run.len();
-                if before > number {
-                    break;
-                }
+            let mut others = slopes.as_slice();
+            // Unknowns without a gap between them are next to each other in the row, too.
+            for run in derivatives[..=number].chunk_by(|a, b| a.0 + 1 == b.0) {
+                let entries = &mut self.entries[row.start + run[0].0 - first..];
+                entries
+                    .iter_mut()
+                    .zip(&others[..run.len()])
+                    .for_each(|(entry, other)| *entry += slope * other);
+                others = &others[run.len()..];
             }
         }
     }

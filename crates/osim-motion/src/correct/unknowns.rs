@@ -4,6 +4,7 @@ use osim_model::feet::Couplers;
 use osim_model::{DVec3, Model};
 
 use crate::coordinates::CoordinateKind;
+use crate::states::paths_to;
 use crate::{Belt, ContactStates, Foot, Recording, StatesError};
 
 /// The options for the correction of a motion.
@@ -51,8 +52,6 @@ pub(super) struct CorrectedCoordinate {
 
 /// The change of a value that shows which spheres a coordinate moves, rad or m.
 const TRIAL_STEP: f64 = 1e-4;
-/// In at most this many frames it is looked at which spheres a coordinate moves.
-const MOST_TRIAL_FRAMES: usize = 50;
 /// A sphere that moves by less than this part of the change of a coordinate does not follow it.
 const LEAST_MOVE: f64 = 1e-6;
 
@@ -77,8 +76,9 @@ pub(super) fn find_coordinates(
     states: &ContactStates,
     (feet, normal): (&[Foot], DVec3),
 ) -> Result<CoordinatesOfCorrection, StatesError> {
-    let recording = &recording.some_frames(MOST_TRIAL_FRAMES);
-    let before = states.along(model, recording, &Belt::default())?;
+    let known = paths_to(model, &states.pairs, &states.planes)?.motions_of_joints(recording);
+    let along = |moved: &Recording| states.along_after(model, &known, moved, &Belt::default());
+    let before = along(recording)?;
     let (mut legs, mut level) = (Vec::new(), Vec::new());
     let mut root = None;
     for (index, coordinate) in recording.coordinates.iter().enumerate() {
@@ -87,7 +87,7 @@ pub(super) fn find_coordinates(
             continue;
         }
         let nudged = recording.changed(couplers, |_, values, _| values[index] += TRIAL_STEP)?;
-        let after = states.along(model, &nudged, &Belt::default())?;
+        let after = along(&nudged)?;
         let moves = |pair: usize| {
             let both = before.pair(pair).zip(after.pair(pair));
             both.map(|(before, after)| (after.centre_m - before.centre_m) / TRIAL_STEP)

@@ -301,9 +301,10 @@ impl PlayedRecording {
                 }),
             }
         });
+        let placements = (0..frames.len()).flat_map(|number| poses.frame(number));
         Self {
             time_s: frames.iter().filter_map(|&frame| states.time_s.get(frame).copied()).collect(),
-            poses: (0..frames.len()).flat_map(|number| poses.frame(number)).flat_map(pose_numbers).collect(),
+            poses: placements.flat_map(axes_and_origin).flatten().map(in_view_units).collect(),
             bodies: poses.bodies,
             feet: feet.collect(),
             remarks: result.remarks(request).iter().map(|remark| remark.message.spelled(dialect)).collect(),
@@ -342,9 +343,4 @@ impl FootFrames<'_> {
         let centre = wrench.centre_of_pressure(state.normal, state.on_surface_m(pair.radius_m), least_n)?;
         Some(centre.point_m.into())
     }
-}
-
-/// The axes and the origin of a placement as whole numbers, for a view.
-fn pose_numbers(placement: &Placement) -> Vec<i32> {
-    axes_and_origin(placement).into_iter().flatten().map(in_view_units).collect()
 }
