@@ -49,4 +49,4 @@ def test_what_is_no_table_over_time_is_refused():
     with pytest.raises(ocs.RequestError, match="row 1 has a cell that is not a number"):
         ocs.motion(WALKER, {"time": [0.0, 1.0], "ankle_r": [0.0, "up"]})
     with pytest.raises(ocs.ContactScaleError, match="times must rise"):
-        ocs.motion(WALKER, {"time": [0.0, 0.0], "ankle_r": [0.0, 0.0]})
+        ocs.motion(WALKER, {"time": [0.0, 0.0], "ankle_r": [0.0, 0.1]})
