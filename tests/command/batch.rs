@@ -365,3 +365,18 @@ fn a_broken_formula_of_the_spreadsheet_is_reported() {
     dir.write("table.csv", "model,target-mass,output,#why\nhuman.osim,70,out.osim,#N/A\n");
     dir.run("batch table.csv").succeeded();
 }
+
+#[test]
+fn a_zip_archive_as_a_table_is_named_by_what_it_is() {
+    let dir = TestDir::new();
+    dir.write("table.csv", b"PK\x03\x04\0\0");
+    dir.run("batch table.csv -d out").usage_error().says(&["a ZIP archive", "unpack it"]);
+}
+
+#[test]
+fn a_model_instead_of_a_table_is_refused_in_one_line() {
+    let dir = TestDir::with_human();
+    let run = dir.run("batch human.osim -d out").usage_error().wrote_nothing();
+    assert!(run.err().len() < 150, "{}", run.err());
+    run.says(&["such as an OpenSim model", "table (.csv or .xlsx)"]);
+}

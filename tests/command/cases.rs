@@ -406,13 +406,6 @@ fn an_output_without_an_ending_causes_a_warning() {
 }
 
 #[test]
-fn a_zip_archive_as_a_table_is_named_by_what_it_is() {
-    let dir = TestDir::new();
-    dir.write("table.csv", b"PK\x03\x04\0\0");
-    dir.run("batch table.csv -d out").usage_error().says(&["a ZIP archive", "unpack it"]);
-}
-
-#[test]
 fn other_columns_of_a_table_are_in_the_summary() {
     let Some(dir) = dir_of_case("batch_carries_other_columns") else { return };
     dir.write("m.osim", fixture(HUMAN.0));
@@ -460,14 +453,6 @@ fn common_headers_of_tables_are_understood() {
     dir.write("t.csv", "Path,Target mass (kg)\nm.osim,80\n");
     dir.run("batch t.csv -d out2").succeeded().wrote(&["out2/m.osim"]);
     assert_eq!(dir.read("out/m.osim"), dir.read("out2/m.osim"));
-}
-
-#[test]
-fn a_model_instead_of_a_table_is_refused_in_one_line() {
-    let dir = TestDir::with_human();
-    let run = dir.run("batch human.osim -d out").usage_error().wrote_nothing();
-    assert!(run.err().len() < 150, "{}", run.err());
-    run.says(&["such as an OpenSim model", "table (.csv or .xlsx)"]);
 }
 
 #[test]

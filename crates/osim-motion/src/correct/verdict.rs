@@ -88,7 +88,7 @@ pub fn mismatches(
     let centres_kg_m: Vec<DVec3> =
         Masses::new(model)?.centre_along(recording).into_iter().map(|at| kg * at).collect();
     let inertia_n = accelerations(&recording.time_s, &centres_kg_m);
-    let total = LoadedForces::of(&measured.total, normal);
+    let total = LoadedForces::new(&measured.total, normal);
     if total.across_n < LARGER_PART * total.size_n {
         return Ok(vec![Mismatch::Axes]);
     }
@@ -100,7 +100,7 @@ pub fn mismatches(
     if let Some(unit) = unit.filter(|_| mean_bw < LARGEST_IN_ANOTHER_UNIT_BW) {
         return Ok(vec![Mismatch::ForceUnit { mean_bw, unit }]);
     }
-    let of_feet = measured.feet.iter().map(|forces| LoadedForces::of(forces, normal)).enumerate();
+    let of_feet = measured.feet.iter().map(|forces| LoadedForces::new(forces, normal)).enumerate();
     let (down, up): (Vec<_>, Vec<_>) = of_feet
         .filter(|(_, forces)| forces.largest_n > LOADED_SHARE * total.largest_n)
         .partition(|(_, forces)| forces.points_down());
@@ -172,7 +172,8 @@ struct LoadedForces {
 }
 
 impl LoadedForces {
-    fn of(forces: &[Option<Wrench>], normal: DVec3) -> Self {
+    /// Sums up the `forces` of plates, frame by frame, over a floor with this normal.
+    fn new(forces: &[Option<Wrench>], normal: DVec3) -> Self {
         let size = |frame: usize| forces[frame].map_or(0.0, |wrench| wrench.force_n.length());
         let largest_n = (0..forces.len()).map(size).fold(0.0, f64::max);
         let frames: Vec<usize> =
@@ -182,6 +183,7 @@ impl LoadedForces {
         Self { size_n: frames.iter().map(|&frame| size(frame)).sum(), largest_n, across_n, up_n, frames }
     }
 
+    /// Whether most of the force pulls at the feet, as no floor does.
     fn points_down(&self) -> bool {
         self.up_n < -LARGER_PART * self.across_n
     }
@@ -408,7 +410,7 @@ mod tests {
     fn forces_point_down_or_lie_along_the_floor() {
         let of = |forces: [DVec3; 3]| {
             let wrench = |force_n| Some(Wrench { force_n, moment_n_m: DVec3::ZERO });
-            LoadedForces::of(&forces.map(wrench), DVec3::Y)
+            LoadedForces::new(&forces.map(wrench), DVec3::Y)
         };
         let up = DVec3::new(30.0, 700.0, 0.0);
         let down = of([-up, -up, DVec3::Y]);

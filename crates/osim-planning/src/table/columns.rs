@@ -15,7 +15,7 @@ const OTHER_HEADERS_OF_MODEL: [&str; 5] = ["file", "path", "filename", "modelfil
 pub(super) const VERBS_OF_COLUMNS: [(&str, Verb); 3] =
     [("from", Verb::Transfer), ("set", Verb::Set), ("target_mass", Verb::Rescale)];
 
-/// What is said of a column that the user may have meant as a remark.
+/// The hint for a column that may be the user's own: which name lets the summary have it, too.
 pub(super) const WAY_OUT: &str = " (a column whose name begins with # is carried along)";
 
 /// The way in which a cell of a column becomes a value of a request.
