@@ -2,8 +2,7 @@
 
 `guesses`: from random guesses, on soft, middle and stiff contacts. `ladder`: on the stiffest contacts at once, and by way of softer ones,
 from the same random guesses. Each row goes to `success.csv` or `ladder.csv` beside this program as it comes, and a row that is there is
-not done again. At the end it prints counts with their confidence intervals. The committed tables have the largest force of the right foot
-over half a cycle; a new run has that of both feet.
+not done again. At the end it prints counts with their confidence intervals.
 """
 
 import argparse
@@ -20,21 +19,10 @@ MESH = 25
 MOST = 1000  # iterations of a search
 POINTS = ("soft", "middle", "stiff")  # of the grid, with its dissipation of 1 s/m
 WAYS = {"at once": 1, "3 rungs": 3}  # models that are searched one after the other; the last is the same
-CHECKS = ("solved_twice", "effort_change", "force_change", "held", "cpu_s")
+CHECKS = ("solved_twice", "effort_change", "held", "cpu_s")
 COLUMNS = {
-    "success": ("point", "seed", "solved", "iterations", "effort", "peak_force_bw", *CHECKS),
-    "ladder": (
-        "way",
-        "seed",
-        "solved",
-        "rungs_solved",
-        "iterations",
-        "search_cpu_s",
-        "effort",
-        "peak_force_bw",
-        "active_bounds",
-        *CHECKS,
-    ),
+    "success": ("point", "seed", "solved", "iterations", "effort", *CHECKS),
+    "ladder": ("way", "seed", "solved", "rungs_solved", "iterations", "search_cpu_s", "effort", "active_bounds", *CHECKS),
 }
 
 
@@ -50,7 +38,6 @@ def attempt(path, seed, below=()):
         "iterations": first["iterations"],
         "search_cpu_s": first["cpu_s"],
         "effort": first["effort"],
-        "peak_force_bw": first["peak_force_bw"],
         "active_bounds": first["active_bounds"],
     }
     if first["converged"]:
@@ -113,8 +100,8 @@ def is_done(table, **expected):
 
 def summary():
     """At each stiffness: searches, those that the solver calls solved, and the counts of successes, with intervals."""
-    yield "|contacts|guesses|solved|same effort|same force|holds|"
-    yield "|---|---|---|---|---|---|"
+    yield "|contacts|guesses|solved|same effort|holds|"
+    yield "|---|---|---|---|---|"
     for point in POINTS:
         selected = [row for row in read("success") if row["point"] == point]
         if selected:
@@ -123,8 +110,8 @@ def summary():
 
 def summary_of_ladder():
     """The counts of each way, and medians of time, iterations and effort."""
-    yield "|way|guesses|solved|same effort|same force|holds|iterations|time|effort|"
-    yield "|---|---|---|---|---|---|---|---|---|"
+    yield "|way|guesses|solved|same effort|holds|iterations|time|effort|"
+    yield "|---|---|---|---|---|---|---|---|"
     for way in WAYS:
         selected = [row for row in read("ladder") if row["way"] == way]
         if selected:
@@ -134,7 +121,7 @@ def summary_of_ladder():
 
 
 def shares(rows):
-    """Solved, the same effort and force at twice the mesh, and held: counts with their intervals."""
+    """Solved, the same effort at twice the mesh, and held: counts with their intervals."""
     counts = [sum(int(row["solved"]) for row in rows), *(sum(column) for column in zip(*map(succeeded, rows)))]
     return [in_words(count, len(rows)) for count in counts]
 

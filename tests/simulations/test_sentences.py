@@ -83,21 +83,19 @@ def walker(text):
     yield "ended in a walk of {} % more effort", {round(100 * other / human - 100, 3) for other in others}
     table = read("walker", "ladder")
     for row in table:
-        row["same"] = [abs(float(row[f"{name}_change"])) < 0.02 for name in ("effort", "force")]
+        row["same"] = abs(float(row["effort_change"])) < 0.02
+        row["success"] = row["same"] and float(row["held"]) == 1
     pairs = list(zip(table[::2], table[1::2]))
     yield "all {} direct searches", [sum(int(once["solved"]) for once, _ in pairs)]
-    lone = [[sum(ways[n]["same"][0] > ways[1 - n]["same"][0] for ways in pairs) for n in (0, 1)]]
-    lone += [[sum(all(ways[n]["same"]) > all(ways[1 - n]["same"]) for ways in pairs) for n in (0, 1)]]
-    by_effort = [numbers(row[3])[0] for row in ladder]
-    yield "By effort alone, {} and {} succeed (p = {})", [*by_effort, sign_test(*lone[0])]
-    yield "{} guesses succeed only directly, and {} only by rungs (p = {})", [*lone[1], sign_test(*lone[1])]
-    yield "a median of {} s against {}.", numbers(ladder[1][7], ladder[0][7])
+    lone = [sum(ways[n]["success"] > ways[1 - n]["success"] for ways in pairs) for n in (0, 1)]
+    yield "{} and {} succeed (p = {})", [*(numbers(row[4])[0] for row in ladder), sign_test(*lone)]
+    yield "a median of {} s against {}.", numbers(ladder[1][6], ladder[0][6])
     less = [(100 - 100 * float(rungs["effort"]) / float(once["effort"]), rungs) for once, rungs in pairs]
-    cheaper = [(share, *rungs["same"]) for share, rungs in less if share > 3.6]
-    yield "{} guesses gave {} to {} % less effort", [len(cheaper), *ends(share for share, *_ in cheaper)]
+    cheaper = [(share, rungs["same"]) for share, rungs in less if share > 3.6]
+    yield "{} guesses gave {} to {} % less effort", [len(cheaper), *ends(share for share, _ in cheaper)]
     dearer = [int(rungs["seed"]) for share, rungs in less if share < -0.01]
     yield "(seeds {} and {}) {} % more", [*dearer, -min(share for share, _ in less)]
-    yield "With twice the mesh {} of the {} keep it", [sum(effort for _, effort, _ in cheaper), len(cheaper)]
+    yield "With twice the mesh {} of the {} keep it", [sum(same for _, same in cheaper), len(cheaper)]
     stages = [read("walker", name) for name in ("grid", "branch", "mesh", "random", "sizes", "sizes_by_hand")]
     took = [sum(float(row["cpu_s"]) for stage in stages for row in stage)]
     took[0] += sum(float(row["cpu_s_at_double_mesh"]) for row in stages[2])
