@@ -14,6 +14,12 @@ impl Rotation {
         Self(DMat3::from_cols_array_2d(&rows).transpose())
     }
 
+    /// The rotation that turns two axes of a frame, at right angles to each other, to the directions beside them.
+    pub(crate) fn with_axes([(first, to_first), (second, to_second)]: [(DVec3, DVec3); 2]) -> Self {
+        let frame = DMat3::from_cols(first, second, first.cross(second));
+        Self(DMat3::from_cols(to_first, to_second, to_first.cross(to_second)) * frame.transpose())
+    }
+
     /// The rotation of OpenSim's `orientation`: body-fixed angles about x, then y, then z, in rad.
     pub fn body_fixed_xyz([x, y, z]: [f64; 3]) -> Self {
         let (sx, cx) = (libm::sin(x), libm::cos(x));

@@ -277,8 +277,8 @@ pub(crate) fn placement_on_base(
             "Ground" => return Some((None, placement)),
             _ => {}
         }
-        placement = own_placement(components, frame, "translation", "orientation").then(&placement);
-        at = components.frame_at(frame, "parent", &["parent_frame"])?.component;
+        let (own, parent) = components.on_parent(frame)?;
+        (placement, at) = (own.then(&placement), parent);
     }
     None
 }

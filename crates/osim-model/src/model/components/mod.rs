@@ -9,6 +9,7 @@ mod tree;
 use std::borrow::Cow;
 
 use crate::model::components::classes::CountedSets;
+use crate::model::contacts::planes::STATION_DEFINED_FRAME;
 use crate::model::{Document, Fault, FaultKind, FileId};
 use crate::xml::{ElementId, TextPosition};
 pub use classes::component_classes;
@@ -267,13 +268,17 @@ impl Components {
                 "Body" => return Ok(Carrier::Body(id)),
                 _ => {}
             }
-            let Some(parent) = self.connectee(id, "parent", &["parent_frame"]) else {
-                return Err(self.unresolved(id, "", "frame it is attached to"));
+            let Some((_, parent)) = self.on_parent(id) else {
+                let text = self.connectee(id, "parent", &["parent_frame"]).map(|parent| parent.text);
+                return Err(match self.tag(id) {
+                    STATION_DEFINED_FRAME => Fault::refused(format!(
+                        "the points of {} are not found, expected the paths of four stations on one body, and two axes",
+                        self.tree.path(id)
+                    )),
+                    _ => self.unresolved(id, &text.unwrap_or_default(), "frame it is attached to"),
+                });
             };
-            at = match self.frame_of(id, &parent) {
-                Some(found) => found.component,
-                None => return Err(self.unresolved(id, &parent.text, "frame it is attached to")),
-            };
+            at = parent;
         }
         let path = frame.map(|id| self.tree.path(id)).unwrap_or_default();
         Err(Fault::refused(format!(

@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
+use crate::model::anatomy::joints::placement_on_base;
 use crate::model::components::{Carrier, ComponentId, Components, MOST_FRAMES_IN_CHAIN};
 use crate::model::contacts::force::{Force, ParameterSet};
 use crate::model::contacts::half_space::HalfSpace;
@@ -158,7 +159,56 @@ impl Model {
     }
 }
 
+/// A frame whose origin and axes are given by stations on one body.
+pub(crate) const STATION_DEFINED_FRAME: &str = "StationDefinedFrame";
+
 impl Components {
+    /// The placement of `frame` in the frame that it is fixed to, and that frame (`None` inside is ground); `None` if it is fixed to none.
+    pub(crate) fn on_parent(&self, frame: ComponentId) -> Option<(Placement, Option<ComponentId>)> {
+        if self.tag(frame) == STATION_DEFINED_FRAME {
+            return self.on_body_of_stations(frame);
+        }
+        let triple = |tag| self.document_of(frame).triple(self.element(frame), tag).unwrap_or_default();
+        let placement = Placement::from_triples(triple("orientation"), triple("translation"));
+        Some((placement, self.frame_at(frame, "parent", &["parent_frame"])?.component))
+    }
+
+    /// As [`on_parent`](Self::on_parent), for a StationDefinedFrame: its first axis points from station a to b, its second one along the
+    /// normal of a, b and c. `None` unless all stations are on one body and none is on another such frame.
+    fn on_body_of_stations(&self, frame: ComponentId) -> Option<(Placement, Option<ComponentId>)> {
+        let station = |socket| {
+            let text = self.connectee(frame, socket, &[])?.text;
+            let id = self.tree.at_path(frame, &text);
+            let id = id.filter(|&id| ["Station", "Marker"].contains(&self.tag(id)))?;
+            let on = self.frame_at(id, "parent_frame", &[])?.component;
+            let chain = self.offset_frames(on);
+            let is_plain = chain.iter().all(|&above| self.tag(above) != STATION_DEFINED_FRAME);
+            let base = chain.last().map_or(Some(on), |&last| Some(self.on_parent(last)?.1));
+            let place = self.document_of(id).triple(self.element(id), "location")?;
+            Some((base.filter(|_| is_plain)?, self.point_in_body(on, place)?))
+        };
+        let ((base, a), (of_b, b)) = (station("point_a")?, station("point_b")?);
+        let ((of_c, c), (of_origin, translation_m)) = (station("point_c")?, station("origin_point")?);
+        let along = (b - a).try_normalize()?;
+        let normal = along.cross(c - a).try_normalize()?;
+        let rotation = Rotation::with_axes([
+            (self.axis(frame, "ab_axis", DVec3::X)?, along),
+            (self.axis(frame, "ab_x_ac_axis", DVec3::Y)?, normal),
+        ]);
+        let is_of_one_body = [of_b, of_c, of_origin].iter().all(|other| *other == base);
+        is_of_one_body.then_some((Placement { rotation, translation_m }, base))
+    }
+
+    /// The signed axis of a frame that a property names, such as `-y`.
+    fn axis(&self, frame: ComponentId, tag: &str, default: DVec3) -> Option<DVec3> {
+        let tree = self.document_of(frame).tree();
+        let Some(element) = tree.child(self.element(frame), tag) else { return Some(default) };
+        let text = tree.text_of(element);
+        let (sign, letter) = text.trim().strip_prefix('-').map_or((1.0, text.trim()), |rest| (-1.0, rest));
+        let mut axes = ["x", "y", "z"].into_iter().zip(DVec3::AXES);
+        Some(sign * axes.find(|(name, _)| *name == letter.trim_start_matches('+'))?.1)
+    }
+
     /// The offset frames from `frame` to the body (or ground) that carries it, in this order.
     pub(crate) fn offset_frames(&self, frame: Option<ComponentId>) -> Vec<ComponentId> {
         let mut frames = Vec::new();
@@ -167,27 +217,14 @@ impl Components {
             && frames.len() <= MOST_FRAMES_IN_CHAIN
         {
             frames.push(id);
-            at = self.parent_frame(id);
+            at = self.frame_at(id, "parent", &["parent_frame"]).and_then(|found| found.component);
         }
         frames
     }
 
-    fn parent_frame(&self, frame: ComponentId) -> Option<ComponentId> {
-        self.frame_at(frame, "parent", &["parent_frame"])?.component
-    }
-
     /// Rotation of a frame in the body (or ground) that carries it, through all offset frames.
     pub(crate) fn rotation_to_base(&self, frame: Option<ComponentId>) -> Option<Rotation> {
-        let (mut rotation, mut at) = (Rotation::IDENTITY, frame);
-        for _ in 0..=MOST_FRAMES_IN_CHAIN {
-            let Some(id) = at.filter(|&id| self.tag(id) != "Body" && self.tag(id) != "Ground") else {
-                return Some(rotation);
-            };
-            let angles = self.document_of(id).triple(self.element(id), "orientation").unwrap_or([0.0; 3]);
-            rotation = Rotation::body_fixed_xyz(angles).after(&rotation);
-            at = self.parent_frame(id);
-        }
-        None
+        Some(placement_on_base(self, frame)?.1.rotation)
     }
 
     /// Converts a point of a frame to the body (or ground) that carries the frame, through all offset frames.
@@ -198,9 +235,8 @@ impl Components {
             let Some(id) = at.filter(|&id| self.tag(id) != "Body" && self.tag(id) != "Ground") else {
                 return Some(point);
             };
-            let triple = |tag| self.document_of(id).triple(self.element(id), tag).unwrap_or_default();
-            point = Placement::from_triples(triple("orientation"), triple("translation")).point(point);
-            at = self.parent_frame(id);
+            let (placement, parent) = self.on_parent(id)?;
+            (point, at) = (placement.point(point), parent);
         }
         None
     }
