@@ -15,7 +15,7 @@ use crate::rules::spheres::{finding_about_spheres, other_cases_in_words};
 use osim_model::rule;
 
 rule! { pub(super) ODD_PARENT: OddParent, Warning, Sides;
-    what: "A body of one side hangs on a body of the other side, or on ground while its counterpart hangs on a limb.",
+    what: "A body of one side hangs on a body of the other side, or on ground while its counterpart or its limb does not.",
     why: "A joint that was copied keeps the parent of its original. OpenSim loads such a model: a shank then moves with the other thigh, a foot on ground stays where it is, and the contacts press at the wrong place.",
     advice: "Correct the parent frame of the joint",
     repair: Repair::NotPossible("only you know where the body belongs"),
@@ -86,29 +86,41 @@ impl<'m> LimbsFromFeet<'m> {
 
     /// One finding for all bodies that hang on the other side or on ground.
     fn find_odd_parent(&self) -> Option<Finding> {
+        let movements = Movements::of(self.model);
         let odd: Vec<&str> =
-            self.by_name.values().copied().filter(|body| self.is_odd(body) == Some(true)).collect();
+            self.by_name.values().copied().filter(|body| self.is_odd(body, &movements) == Some(true)).collect();
         let body = *odd.first()?;
-        let text = format!(
-            "{} hangs on {}, unlike its counterpart{}{}",
-            shown(body),
-            shown(self.parent(body).unwrap_or("ground")),
-            self.describe_distance(body).unwrap_or_default(),
-            other_cases_in_words(odd.len(), "another body, too", "other bodies, too")
-        );
+        let (parent, counterpart) = (self.parent(body).unwrap_or("ground"), self.counterpart(body)?);
+        let text = if self.parent(counterpart).is_none() && self.parent(body).is_none() {
+            format!("{} and {} hang on ground, apart from the rest of their limbs", shown(body), shown(counterpart))
+        } else {
+            let apart = self.describe_distance(body).unwrap_or_default();
+            let more = other_cases_in_words(odd.len(), "another body, too", "other bodies, too");
+            format!("{} hangs on {}, unlike its counterpart{apart}{more}", shown(body), shown(parent))
+        };
         self.finding(&ODD_PARENT, body, text)
     }
 
-    /// Whether `body` hangs on the other side, or on ground apart from its counterpart; `None` without a counterpart or a joint.
-    fn is_odd(&self, body: &str) -> Option<bool> {
+    /// Whether `body` hangs on the other side, or on ground apart from its counterpart or from the rest of its limb; `None` without a
+    /// counterpart or a joint.
+    fn is_odd(&self, body: &str, movements: &Movements) -> Option<bool> {
         let counterpart = self.counterpart(body)?;
-        let (joint, _) = (self.above.get(body)?, self.parent(counterpart)?);
+        let joint = self.above.get(body)?;
+        if self.parent(body).is_none() && self.parent(counterpart).is_none() {
+            // Other things of two sides, such as pedals, have no contacts.
+            let top = |sphere: &Sphere| sphere.body.as_deref().is_some_and(|foot| movements.top(foot) == body);
+            let hangs_on_trunk = |((_, side), other): (&(String, Side), &&str)| {
+                Some(*side) == Side::of_name(body) && Side::of_name(movements.top(other)).is_none()
+            };
+            return Some(self.model.spheres().iter().any(top) && self.by_name.iter().any(hangs_on_trunk));
+        }
+        self.parent(counterpart)?;
         Some(match self.parent(body) {
             // The halves of a pelvis or of a crank can be welded.
             Some(parent) if parent == counterpart => joint.class != "WeldJoint",
             Some(parent) => Side::of_name(parent) == Side::of_name(counterpart),
             // A foot can be the root of the whole model.
-            None => Movements::of(self.model).top(counterpart) != body,
+            None => movements.top(counterpart) != body,
         })
     }
 

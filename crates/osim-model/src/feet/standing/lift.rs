@@ -6,7 +6,7 @@ use glam::DVec3;
 
 use crate::feet::couplers::{CoordinateState, CoordinateStates, CoordinateValues, Couplers, is_enforced};
 use crate::feet::default_pose::{DefaultPose, JointStep, joints_from_ground};
-use crate::model::{JointCoordinate, Model, ModelJoint, Placement, Side};
+use crate::model::{ComponentId, JointCoordinate, Model, ModelJoint, Placement, Side};
 
 /// Two displacements are equal if they differ by at most this, per metre of the coordinate.
 const SAME_MOVEMENT: f64 = 1e-9;
@@ -261,9 +261,14 @@ pub fn held_roots<'b>(model: &Model, bodies: impl Iterator<Item = &'b str>) -> V
     let search = LiftingCoordinateSearch::of(model, &pose);
     let components = model.components();
     let constraints = model.constraints_to_ground().into_iter();
-    let enforced =
-        constraints.filter(|(id, _)| is_enforced(components.document_of(*id), components.element(*id)));
-    let constraints: HashMap<_, _> = enforced.map(|(id, body)| (body, components.name(id))).collect();
+    let holds = |id: ComponentId| {
+        let (document, element) = (components.document_of(id), components.element(id));
+        // A point on a line that is not level can fall along it.
+        let line = document.triple(element, "line_direction_vec").unwrap_or_default();
+        is_enforced(document, element) && DVec3::from(line).normalize_or_zero().dot(model.up()).abs() < 0.01
+    };
+    let holding = constraints.filter(|(id, _)| holds(*id));
+    let constraints: Vec<_> = holding.map(|(id, body)| (body, components.name(id))).collect();
     let mut tops = HashSet::new();
     let first_of_tree =
         bodies.filter_map(|body| Some((tree.top(body).filter(|top| tops.insert(*top))?, body)));
@@ -271,8 +276,12 @@ pub fn held_roots<'b>(model: &Model, bodies: impl Iterator<Item = &'b str>) -> V
         let mut path = tree.path_to_ground(body);
         let is_of_leg = |above: &&ParentJoint<'_>| above.body != top && Side::of_name(above.body).is_some();
         let trunk = path.split_off(path.iter().take_while(is_of_leg).count());
-        let constraint = trunk.iter().find_map(|above| constraints.get(above.body));
-        let fixed = constraint.map(|name| format!("{name} fixes it to ground"));
+        let below = tree.with_all_below(top);
+        let is_trunk = |held: &str| {
+            trunk.iter().any(|above| above.body == held) || (below.contains(held) && Side::of_name(held).is_none())
+        };
+        let constraint = constraints.iter().find(|(held, _)| is_trunk(held));
+        let fixed = constraint.map(|(held, name)| format!("{name} fixes {held} to ground"));
         Some((top.to_owned(), fixed.or_else(|| what_holds_root(model, &search, &trunk))?))
     });
     held.collect()

@@ -249,17 +249,22 @@ impl Model {
         are_angles
     }
 
-    /// The WeldConstraints and PointConstraints between ground and a body, each with the name of the body.
+    /// The constraints that hold a point of a body to a point or a line of ground, each with the name of the body.
     pub(crate) fn constraints_to_ground(&self) -> Vec<(ComponentId, String)> {
         let components = self.components();
         let base = |id: ComponentId, socket: &str, others: &[&str]| {
             components.base(components.frame_at(id, socket, others)?.component).ok()
         };
         let ids = components.tree.iter().map(|(id, _)| id);
-        let fixing = ids.filter(|&id| ["WeldConstraint", "PointConstraint"].contains(&components.tag(id)));
         let ends = |id| {
-            let first = base(id, "frame1", &["socket_body_1", "body_1"])?;
-            Some((first, base(id, "frame2", &["socket_body_2", "body_2"])?))
+            let [(one, of_one), (two, of_two)]: [(&str, &[&str]); 2] = match components.tag(id) {
+                "WeldConstraint" | "PointConstraint" => {
+                    [("frame1", &["socket_body_1", "body_1"]), ("frame2", &["socket_body_2", "body_2"])]
+                }
+                "PointOnLineConstraint" => [("line_body", &["line_body"]), ("follower_body", &["follower_body"])],
+                _ => return None,
+            };
+            Some((base(id, one, of_one)?, base(id, two, of_two)?))
         };
         let body = |id| match ends(id)? {
             (Carrier::Ground, Carrier::Body(body)) | (Carrier::Body(body), Carrier::Ground) => {
@@ -267,7 +272,7 @@ impl Model {
             }
             _ => None,
         };
-        fixing.filter_map(body).collect()
+        ids.filter_map(body).collect()
     }
 }
 
