@@ -1,7 +1,7 @@
 //! Rules about friction and dissipation of contacts.
 
 use osim_model::messages::readable;
-use osim_model::{Example, Finding, Model, Property, Repair, SetId, Severity, ValueOrigin};
+use osim_model::{Example, Finding, Model, Property, Repair, Severity};
 
 use crate::rules::forces::finding_about_forces;
 use osim_model::rule;
@@ -128,12 +128,7 @@ pub(super) fn find_no_friction_or_dissipation(model: &Model) -> Vec<Finding> {
         values.all(|value| (0.0..limit).contains(&value.number))
     };
     let frictions = [Property::StaticFriction, Property::DynamicFriction, Property::ViscousFriction];
-    // Defaults of the class are no choice of anybody.
-    let is_written = |property| {
-        let mut values = on_floors().filter_map(|force| force.value(SetId::FIRST, property));
-        values.any(|value| value.origin != ValueOrigin::ClassDefault)
-    };
-    let no_friction = (is_written(Property::StaticFriction) && are_all_below(&frictions, f64::MIN_POSITIVE))
+    let no_friction = are_all_below(&frictions, f64::MIN_POSITIVE)
         .then(|| Finding::at(&NO_FRICTION, first.position, "all coefficients of friction are 0"));
     let no_dissipation = are_all_below(&[Property::Dissipation], LEAST_DISSIPATION_S_M).then(|| {
         Finding::at(&NO_DISSIPATION, first.position, "the dissipation of all contacts is 0 s/m or nearly 0")

@@ -45,6 +45,8 @@ pub(super) fn find_massless_body(model: &Model) -> Vec<Finding> {
 
 /// A default value may be outside its range by this much, rad or m, as in OpenSim.
 const RANGE_TOLERANCE: f64 = 1e-7;
+/// The range of a coordinate without one in the file, rad or m.
+const RANGE_OF_CLASS: [f64; 2] = [-10.0, 10.0];
 
 rule! { pub(super) DEFAULT_OUTSIDE_RANGE: DefaultOutsideRange, Warning, Standing;
     what: "The default value of a coordinate is outside the coordinate's own range. It is an error if the coordinate is clamped.",
@@ -56,10 +58,12 @@ rule! { pub(super) DEFAULT_OUTSIDE_RANGE: DefaultOutsideRange, Warning, Standing
 
 /// One finding for all coordinates whose default value is outside their range.
 pub(super) fn find_default_outside_range(model: &Model) -> Vec<Finding> {
+    let range_of = |coordinate: &JointCoordinate| coordinate.range.unwrap_or(RANGE_OF_CLASS);
     let outside = |coordinate: &&JointCoordinate| {
-        coordinate.default.zip(coordinate.range).is_some_and(|(value, [least, most])| {
-            value < least - RANGE_TOLERANCE || value > most + RANGE_TOLERANCE
-        })
+        let [least, most] = range_of(coordinate);
+        coordinate
+            .default
+            .is_some_and(|value| value < least - RANGE_TOLERANCE || value > most + RANGE_TOLERANCE)
     };
     let joints = model.joints().iter();
     let found: Vec<_> = joints
@@ -69,7 +73,7 @@ pub(super) fn find_default_outside_range(model: &Model) -> Vec<Finding> {
     let Some((joint, worst)) = found.iter().find(|(_, one)| one.clamped).or(found.first()) else {
         return Vec::new();
     };
-    let [least, most] = worst.range.unwrap_or_default().map(three_significant);
+    let [least, most] = range_of(worst).map(three_significant);
     let text = format!(
         "the default value of {} is {}, outside its range of {least} to {most} (radians or metres){}{}",
         shown(&worst.name),
