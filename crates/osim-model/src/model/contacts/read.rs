@@ -203,7 +203,12 @@ impl<'r> ContactReader<'r> {
         if let (Some(expected), Some((other, _))) = (socket, other) {
             let (owner, connectee) = (self.components.tree.path(force), text.to_owned());
             let (class, expected) = (self.components.tag(other).to_owned(), expected.to_owned());
-            fault.kind = FaultKind::OtherSurface { owner, connectee, class, expected };
+            // The socket of the sphere is read first.
+            let of_plane = self.components.connectee(force, "half_space", &[]);
+            let is_sphere = |id| self.components.tag(id) == "ContactSphere";
+            let are_exchanged = expected == "ContactSphere"
+                && of_plane.is_some_and(|of| self.components.resolve(force, &of.text, is_sphere).is_some());
+            fault.kind = FaultKind::OtherSurface { owner, connectee, class, expected, are_exchanged };
         }
         fault
     }

@@ -52,7 +52,7 @@ pub enum FaultKind {
     /// that OpenSim does not read.
     Unresolved { owner: String, connectee: String, wanted: &'static str, unread: Option<(usize, String)> },
     /// The socket of a force leads to `connectee`, contact geometry of a class that it does not take.
-    OtherSurface { owner: String, connectee: String, class: String, expected: String },
+    OtherSurface { owner: String, connectee: String, class: String, expected: String, are_exchanged: bool },
     /// The caller has to give a missing fact.
     MissingFact(MissingFact),
     /// A number that looks wrong. It is used only if the caller confirms it.
@@ -204,7 +204,7 @@ impl FaultKind {
             ],
             Self::ForceCannotChange { text, force, otherwise } => {
                 let other = if otherwise.is_empty() { String::new() } else { format!(", or {otherwise}") };
-                phrase!["{text}: leave this force out with {}{}"; Input::Exclude.with_value(force), other]
+                phrase!["{text}: leave this force out with {}{}"; Input::Exclude.with_value(globset::escape(force)), other]
             }
             other => other.without_inputs().into(),
         }
@@ -239,10 +239,9 @@ impl FaultKind {
             Self::Unresolved { owner, connectee, wanted, .. } if connectee.is_empty() => {
                 format!("{owner} names nothing: a name or path is empty, expected the {wanted}")
             }
-            Self::OtherSurface { owner, connectee, class, expected } => {
-                let is_other_socket = ["ContactSphere", "ContactHalfSpace"].contains(&class.as_str());
+            Self::OtherSurface { owner, connectee, class, expected, are_exchanged } => {
                 let why =
-                    if is_other_socket { ": the sockets of sphere and half-space are exchanged" } else { "" };
+                    if *are_exchanged { ": the sockets of sphere and half-space are exchanged" } else { "" };
                 format!("{owner}: '{connectee}' is a {class}, expected a {expected}{why}")
             }
             Self::Unresolved { owner, connectee, unread: Some((line, class)), .. } => format!(
