@@ -32,7 +32,11 @@ impl Dialect for CommandLine {
             Some(Entry { short: Some(letter), .. }) => format!("-{letter}"),
             _ => option_name(input.name()),
         };
-        example.map_or_else(|| name.clone(), |example| format!("{name} {example}"))
+        match example {
+            Some(Example::Value(value)) => format!("{name} {}", shell_quoted(value)),
+            Some(placeholder) => format!("{name} {placeholder}"),
+            None => name,
+        }
     }
 
     fn call(&self, call: &Call) -> String {
