@@ -176,7 +176,7 @@ impl<'s> SweepPlan<'s> {
     /// Plans the variants at the ends of the axes. Values outside their domain are so found before anything is written.
     ///
     /// # Errors
-    /// What is wrong, with the point; or a number of the model itself is wrong, so that all variants would be.
+    /// What is wrong, with the point; or the model itself cannot be used, so that no variant could be.
     pub fn check_ends(&self) -> Result<(), RequestError> {
         let points = match self.ladder {
             Some(_) => vec![0, self.count.saturating_sub(1)],
@@ -188,15 +188,15 @@ impl<'s> SweepPlan<'s> {
             let job = self.job_of_variant(index)?;
             self.make_variant(&job).map_err(|mut failure| {
                 failure.message = message_with_point(&failure, &job);
-                // A question stays a failure, because its code answers it; so does a number of the model that is wrong whatever is asked.
-                let is_of_model = failure.line.is_some() && self.original.wrong_number.is_some();
+                // A question stays a failure, because its code answers it; so does a model that cannot be used whatever is asked.
+                let is_of_model = failure.line.is_some() && self.original.unusable.is_some();
                 match failure.code.parse::<YesQuestion>() {
                     Err(_) if !is_of_model => RequestFault::general(failure.message).into(),
                     _ => RequestError::Failure(failure),
                 }
             })?;
         }
-        self.original.wrong_number.clone().map_or(Ok(()), |failure| Err(RequestError::Failure(failure)))
+        self.original.unusable.clone().map_or(Ok(()), |failure| Err(RequestError::Failure(failure)))
     }
 
     /// Indices of the points whose mass looks like a typing mistake or another unit. These points can be anywhere on the axis.

@@ -28,8 +28,8 @@ pub(super) struct Variant {
     pub digest: String,
     /// Codes of the variant's errors and warnings.
     wrong: BTreeSet<FindingCode>,
-    /// Why the model is bad: the first number that OpenSim does not read as it is written, or cannot compute with.
-    pub wrong_number: Option<Failure>,
+    /// Why the model cannot be used: OpenSim refuses it, or the first number that it reads as another one or cannot compute with.
+    pub unusable: Option<Failure>,
 }
 
 impl Variant {
@@ -82,13 +82,13 @@ impl Variant {
         let mass = target_mass_kg.map(given).or_else(|| request.masses.request().model_mass(model).ok());
         let stance = Stance::from(&request.counts.stance_options(request.wanted.impact_speed, None));
         let findings = find_warnings(request, &open, mass.as_ref(), stance);
-        let wrong_number = findings.iter().find_map(|finding| failure_of_number(&open, finding));
+        let unusable = findings.iter().find_map(|finding| failure_of_model(&open, finding));
         let wrong = findings.iter().map(|finding| finding.code()).collect();
         let sharing = LoadSharing::of(model, &selected.forces);
         let figures = Figures::compute(model, &selected, &sharing, mass.as_ref(), &stance, &[]).ok();
         let bytes = model.file(FileId::MAIN).bytes().to_vec();
         let digest = model.contact_digest(|_| None);
-        Ok(Self { bytes, values: contact_values(model, &selected), figures, digest, wrong, wrong_number })
+        Ok(Self { bytes, values: contact_values(model, &selected), figures, digest, wrong, unusable })
     }
 
     /// Codes of the errors and warnings of this variant that `original` does not have.
@@ -159,11 +159,17 @@ fn find_warnings(
     findings
 }
 
-/// The failure of a model with this finding, if the finding is about a number that cannot be read or computed with.
-fn failure_of_number(open: &OpenModel, finding: &FindingWithRemedy) -> Option<Failure> {
+/// The failure of a model with this finding, if OpenSim refuses the model or a number cannot be read or computed with.
+fn failure_of_model(open: &OpenModel, finding: &FindingWithRemedy) -> Option<Failure> {
     let code = match finding.code() {
         FindingCode::OddNumber | FindingCode::NotFinite => "not-a-number",
         FindingCode::OutOfDomain => "out-of-domain",
+        FindingCode::OtherVersion
+        | FindingCode::SocketNowhere
+        | FindingCode::BodyWithoutJoint
+        | FindingCode::MisplacedObject
+        | FindingCode::UnknownName
+        | FindingCode::RefusedName => "refused",
         _ => return None,
     };
     Some(Failure {
