@@ -30,7 +30,7 @@ pub struct ScaleValues {
 pub struct Scale(ScaleValues);
 
 impl Scale {
-    /// Checks the four numbers and makes a scale of them.
+    /// Checks mass, radius, sphere count and gravity of a body, and makes a scale of them.
     ///
     /// # Errors
     /// [`DomainError`] unless M, R and g are finite and above 0, and n is finite and at least 1.

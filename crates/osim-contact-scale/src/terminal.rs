@@ -1,4 +1,5 @@
 //! Writes to standard output and standard error. A reader that ends early (`… | head`) is no failure.
+//! On Windows, the window of a model that was dropped on the program stays open.
 //!
 //! Text for people is broken at blanks into lines that fit the terminal. Files and pipes get unbroken lines, because programs search
 //! in lines. The variable `COLUMNS` does not count for files and pipes: readline sets it in an interactive Python or Octave, which

@@ -1,4 +1,4 @@
-//! Collects the changes of a plan. Each number is checked, and changed at most once.
+//! Collects the changes of a plan. Each number is checked, and changed at most once; the three radii of an ellipsoid get one factor.
 
 use contact_scaling::Ratios;
 use contact_scaling::modulus::SurfaceValues;

@@ -1,4 +1,5 @@
-//! Computes the forces of contacts along a recorded motion, and compares them with force plates.
+//! Computes the forces of contacts along a recorded motion, and compares them with force plates. Finds the velocity
+//! of a treadmill's belt if nobody gave it.
 
 use std::path::{Path, PathBuf};
 

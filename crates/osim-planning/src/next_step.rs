@@ -1,4 +1,5 @@
-//! Models for what follows a correction: tracking with Moco, or NMSM's ground contact personalisation.
+//! Models for what follows a correction: tracking with Moco, or NMSM's ground contact personalisation. The report writes their files, also
+//! the script of Moco.
 
 use osim_model::files::Files;
 use osim_model::messages::shortest;

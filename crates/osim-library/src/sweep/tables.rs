@@ -25,7 +25,7 @@ pub(super) struct SweepTables<'p> {
 }
 
 impl<'p> SweepTables<'p> {
-    /// The tables of `plan` in `folder`.
+    /// The paths of the tables of `plan` in `folder`. No file is opened yet.
     pub(super) fn new(folder: &'p Path, plan: &'p SweepPlan<'p>) -> Self {
         let part = plan.part_table_name().map(|name| folder.join(name));
         Self { folder, plan, whole: folder.join(plan.table_name()), part, parts: OnceLock::new() }

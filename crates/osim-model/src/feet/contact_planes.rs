@@ -1,5 +1,5 @@
-//! The planes on which contact forces press spheres, and their places at the default pose; also pairs of spheres that could touch each
-//! other.
+//! The planes on which contact forces press spheres, with their places and their tilt against gravity at the default pose; also pairs of
+//! spheres that could touch each other.
 
 use std::ops::Deref;
 use std::sync::Arc;

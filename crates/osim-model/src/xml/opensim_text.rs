@@ -171,6 +171,7 @@ pub fn is_disabled(text: &str) -> bool {
     spelled_flag(text).unwrap_or_else(|| whole_number_at_start(text).is_some_and(|digits| !digits.is_empty()))
 }
 
+/// The flag that the word `true` or `false` gives, in small or capital letters; `None` for another word, also for a number.
 fn spelled_flag(word: &str) -> Option<bool> {
     let is = |flag: &str| word.eq_ignore_ascii_case(flag);
     if is("true") { Some(true) } else { is("false").then_some(false) }

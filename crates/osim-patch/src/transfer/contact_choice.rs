@@ -96,7 +96,7 @@ impl<'t> ContactChoice<'t> {
     pub(crate) fn contact_for_sphere(&self, model: &Model, sphere: SphereId) -> &'t ReferenceContact {
         match self {
             Self::One(contact) | Self::Named { contact, .. } => contact,
-            // `make` has checked that every name is there.
+            // `new` has checked that every name is there.
             Self::Paired { first, by_name } => by_name.get(sphere_name(model, sphere)).unwrap_or(first),
         }
     }

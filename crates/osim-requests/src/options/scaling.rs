@@ -142,7 +142,8 @@ impl ScalingOptions {
         Ok(())
     }
 
-    /// The properties that a scaling changes.
+    /// The properties that a scaling changes: those of `only`, else all, without those of `keep`. Friction is left out unless it is asked
+    /// for.
     pub fn properties(&self) -> PropertySet {
         // Naming a friction property among those that change asks for it.
         let friction = self.friction

@@ -294,7 +294,7 @@ pub(super) fn is_note_letter(letter: char) -> bool {
     letter.is_ascii_graphic() && !";[]()<>&'\"".contains(letter)
 }
 
-/// `text` with `_` for every letter that a note cannot contain, and with single blanks.
+/// `text` with `_` for every letter that a note cannot contain, `__` for `--`, and single blanks.
 pub(super) fn in_note_letters(text: &str) -> String {
     let words = text.split_ascii_whitespace().map(|word| {
         let letters = word.chars().map(|letter| if is_note_letter(letter) { letter } else { '_' });

@@ -1,4 +1,4 @@
-//! The folders for what follows a correction: tracking with Moco, and NMSM's ground contact personalisation.
+//! The files for what follows a correction: tracking with Moco, with its script, and NMSM's ground contact personalisation.
 
 use std::fmt::Display;
 
