@@ -12,7 +12,7 @@ use osim_requests::{Request, RequestFault, VerbEntry, VerbGroup, verb_entry};
 use osim_view::report::ExitStatus;
 use osim_view::report::layout::break_long_lines;
 
-use crate::session::{COMMAND_LINE_WORDS, Language};
+use crate::one_call::{COMMAND_LINE_WORDS, Language};
 
 /// Source of the equations, as a literal text.
 macro_rules! equations {

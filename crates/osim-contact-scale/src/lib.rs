@@ -6,7 +6,7 @@
 mod args;
 mod commands;
 mod exit;
-mod session;
+mod one_call;
 mod suggestions;
 mod terminal;
 
@@ -20,7 +20,7 @@ use osim_requests::{PlotKind, RequestFault};
 
 use crate::args::{Call, bare_command, command, is_quiet, typed_call, usage_line, verb_names};
 use crate::exit::{Exit, exit_of, text_of};
-use crate::session::{COMMAND_LINE_WORDS, Session};
+use crate::one_call::{COMMAND_LINE_WORDS, Session};
 use crate::suggestions::{suggest, suggested_axis, suggested_figure};
 use crate::terminal::{Terminal, without_closed_pipe};
 

@@ -24,7 +24,7 @@
 
 mod figures;
 mod findings;
-mod floors;
+mod plane_judgement;
 mod inspection;
 mod known_contacts;
 mod load;

@@ -8,14 +8,14 @@
 //! It opens no file and changes nothing. It enforces no constraints but couplers.
 #![cfg_attr(not(test), deny(clippy::disallowed_methods))]
 
-mod comparison;
+mod plate_comparison;
 mod coordinates;
 pub mod correct;
 mod feet;
 pub mod fit;
 mod fit_result;
 mod fit_trial;
-mod joint_paths;
+mod body_motions;
 mod pair;
 mod plate_assignment;
 mod plates;
@@ -25,10 +25,10 @@ mod states;
 mod summary;
 mod table;
 
-pub use crate::comparison::{Comparison, ComparisonPlane, LeftOutForces};
+pub use crate::plate_comparison::{Comparison, ComparisonPlane, LeftOutForces};
 pub use crate::coordinates::{CoordinateKind, ModelCoordinate};
 pub use crate::feet::{Foot, StancePhase, TOUCH_DOWN_BW, strides};
-pub use crate::joint_paths::Poses;
+pub use crate::body_motions::Poses;
 pub use crate::pair::{ContactPair, TouchedSurface};
 pub use crate::plate_assignment::{AssignedBy, MeasuredForces, PlateAssignment};
 pub use crate::plates::{ExternalLoad, ExternalLoads, Plate};

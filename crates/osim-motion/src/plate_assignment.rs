@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use osim_model::Side;
 
-use crate::comparison::percentile;
+use crate::plate_comparison::percentile;
 use crate::feet::{Foot, LIFT_OFF_BW, TOUCH_DOWN_BW};
 use crate::{ContactState, ContactStates, Plate, Wrench};
 

@@ -3,7 +3,7 @@
 use osim_model::feet::PoseFault;
 use osim_model::{DVec3, Fault, ForceId, HalfSpace, Model, MovingPlacement, Placement, SphereId};
 
-use crate::joint_paths::{JointMotions, JointPaths};
+use crate::body_motions::{JointMotions, JointPaths};
 use crate::pair::{ContactPair, TouchedSurface, contact_pairs};
 use crate::{MotionFault, Recording, Table};
 

@@ -45,7 +45,7 @@ mod note;
 mod note_edits;
 mod objects;
 mod plan;
-mod radii;
+mod new_radii;
 mod rescale;
 mod rules;
 mod set;

@@ -8,7 +8,7 @@ use osim_model::{
 };
 
 use crate::builder::PlanBuilder;
-use crate::radii::Radii;
+use crate::new_radii::Radii;
 use osim_model::rule;
 
 /// The rules of this crate, which are about changes.

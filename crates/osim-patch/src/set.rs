@@ -11,7 +11,7 @@ use crate::builder::{NewNumber, PlanBuilder};
 use crate::change::{ChangedBy, PlaceChange};
 use crate::note::KeptMass;
 use crate::plan::{Masses, NoteFacts, Plan};
-use crate::radii::ForcesOutsideChange;
+use crate::new_radii::ForcesOutsideChange;
 use crate::rules::{self, REMARK_LEVEL_FEET};
 
 /// The last word in the note's operation if feet were also made level.

@@ -18,7 +18,7 @@ use osim_model::{
 use osim_requests::options::{AnswerOptions, InspectionOptions, SetFiles};
 use osim_requests::{CheckRequest, InspectRequest, Kilograms};
 
-use crate::consistency::MotionRemark;
+use crate::motion_consistency::MotionRemark;
 use crate::motion_remarks::CheckedMotion;
 use crate::opening::{open, read_moco_setup, read_scale_file};
 use crate::remedies::{NO_CODES, RemedyTrials};

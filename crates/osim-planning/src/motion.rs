@@ -13,7 +13,7 @@ use osim_motion::{
 };
 use osim_requests::{AngleChoice, MotionRequest, Positive, RequestError, RequestFault, Signed};
 
-use crate::consistency::{Consistency, correction_options};
+use crate::motion_consistency::{Consistency, correction_options};
 use crate::opening::{open_with, read};
 
 /// The contacts of a model along a recorded motion, compared with force plates if the request has some.

@@ -14,7 +14,7 @@ use osim_motion::{
 use osim_requests::options::InspectionOptions;
 use osim_requests::{CheckRequest, MotionRequest, RequestError};
 
-use crate::consistency::{CORRECTED_ALREADY, MotionRemark, cause_in_words, horizontal_error, two_digits};
+use crate::motion_consistency::{CORRECTED_ALREADY, MotionRemark, cause_in_words, horizontal_error, two_digits};
 use crate::{MotionResult, rules, run_motion};
 
 /// If the mean force of the plates over whole strides differs from the model's weight by more than this (relative), plates and model do not

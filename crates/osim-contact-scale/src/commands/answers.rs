@@ -27,7 +27,7 @@ use osim_view::report::results::{
 };
 
 use crate::exit::Exit;
-use crate::session::Session;
+use crate::one_call::Session;
 use crate::terminal::Terminal;
 
 /// Calculates a design and prints its values.

@@ -22,7 +22,7 @@ use osim_view::report::plan;
 
 use crate::commands::survey;
 use crate::exit::{self, Exit};
-use crate::session::{Session, end_page, typed_command_line};
+use crate::one_call::{Session, end_page, typed_command_line};
 use crate::suggestions::suggest;
 use crate::terminal::Progress;
 

@@ -15,7 +15,7 @@ use osim_view::report::explain::Topic;
 
 use crate::args::whole_command;
 use crate::exit::Exit;
-use crate::session::Session;
+use crate::one_call::Session;
 
 /// Prints the script for a shell.
 ///

@@ -16,7 +16,7 @@ use osim_requests::{DropTestRequest, PlotRequest, Request, SweepRequest};
 
 use crate::args::{Call, OwnVerb};
 use crate::exit::Exit;
-use crate::session::{self, Language, Session};
+use crate::one_call::{self, Language, Session};
 
 /// Runs the verb of the call.
 ///
@@ -65,7 +65,7 @@ fn answer_request(request: Request, session: &mut Session) -> Result<Exit> {
         Request::Sweep(request) => {
             let exit = sweep::run(&request, session)?;
             let SweepRequest { model, choice, masses, .. } = &*request;
-            session::remark_unmatched(model.as_deref(), CompanionPaths::default(), choice, masses, session)?;
+            one_call::remark_unmatched(model.as_deref(), CompanionPaths::default(), choice, masses, session)?;
             Ok(exit)
         }
         Request::Inspect(request) => survey::inspect(&request, false, session),
@@ -74,7 +74,7 @@ fn answer_request(request: Request, session: &mut Session) -> Result<Exit> {
             let exit = answers::drop_test(&request, session)?;
             let DropTestRequest { subject, compare, choice, masses, set_files, .. } = &*request;
             let models = subject.iter().chain(compare).map(PathBuf::as_path);
-            session::remark_unmatched(models, set_files.companion_paths(), choice, masses, session)?;
+            one_call::remark_unmatched(models, set_files.companion_paths(), choice, masses, session)?;
             Ok(exit)
         }
         Request::Motion(request) => answers::motion(&request, session),
@@ -82,7 +82,7 @@ fn answer_request(request: Request, session: &mut Session) -> Result<Exit> {
             let exit = plot::run(&request, session)?;
             let PlotRequest { models, choice, masses, set_files, .. } = &*request;
             let models = models.iter().map(PathBuf::as_path);
-            session::remark_unmatched(models, set_files.companion_paths(), choice, masses, session)?;
+            one_call::remark_unmatched(models, set_files.companion_paths(), choice, masses, session)?;
             Ok(exit)
         }
         Request::Reproduce(request) => answers::reproduce(&request, session),
@@ -100,7 +100,7 @@ const NAME_OF_STDIN: &str = "-";
 /// # Errors
 /// The file cannot be read, or has no valid request.
 fn read_request(file: &Path, words: Language, session: &mut Session) -> Result<Request> {
-    session.words = session::words_of_language(words);
+    session.words = one_call::words_of_language(words);
     session.terminal.never_break_lines();
     let is_stdin = file == Path::new(NAME_OF_STDIN);
     let shown = if is_stdin { "standard input".into() } else { file.to_string_lossy().into_owned() };

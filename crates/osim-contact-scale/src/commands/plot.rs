@@ -14,7 +14,7 @@ use osim_view::figures;
 use osim_view::report::messages::mass_mismatch;
 
 use crate::exit::Exit;
-use crate::session::Session;
+use crate::one_call::Session;
 
 /// The format of the picture that `plot` writes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

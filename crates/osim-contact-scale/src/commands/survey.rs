@@ -14,7 +14,7 @@ use osim_view::report::json::line;
 use osim_view::report::{check, inspection};
 
 use crate::exit::{self, Exit};
-use crate::session::{Session, end_page, typed_command_line};
+use crate::one_call::{Session, end_page, typed_command_line};
 
 /// Inspects all models; with `hint`, also prints the calls to make next.
 ///

@@ -13,7 +13,7 @@ use osim_view::report::json::line;
 use osim_view::report::results::SweepRecord;
 
 use crate::exit::{self, Exit};
-use crate::session::Session;
+use crate::one_call::Session;
 use crate::terminal::Progress;
 
 /// Makes all variants of the request.

@@ -16,7 +16,7 @@ use super::register::Figure;
 use crate::figures::sphere_on_floor::{
     SphereContacts, SphereOnFloor, SphereRest, WeightOnFloor, contacts_by_sphere,
 };
-use crate::floors::weight_share_at_pose;
+use crate::plane_judgement::weight_share_at_pose;
 use crate::{Figures, LimbFigures, LoadSharing, SphereFigures, Stance};
 
 impl Figures {

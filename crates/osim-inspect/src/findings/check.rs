@@ -13,7 +13,7 @@ use osim_requests::{Kilograms, Request, RescaleRequest};
 
 use crate::findings::check_result::{CheckResult, sort_findings};
 use crate::findings::remedy::{ChangeableValues, Remedies};
-use crate::floors::Floors;
+use crate::plane_judgement::Floors;
 use crate::rules::places::SpherePlaces;
 use crate::rules::sides::{self, KnownSide};
 use crate::rules::{

@@ -7,7 +7,7 @@ use osim_model::{
     Example, Finding, GravityFor, MissingFact, Model, Repair, Rule, Severity, are_equal_gravities,
 };
 
-use crate::floors::{Floors, JudgedPlane, PlaneJudgement};
+use crate::plane_judgement::{Floors, JudgedPlane, PlaneJudgement};
 use crate::{InspectOptions, Inspection};
 use osim_model::rule;
 

@@ -9,20 +9,20 @@ pub(crate) mod floors;
 mod forces;
 mod friction;
 mod misread;
-mod numbers;
+mod unlikely_numbers;
 pub(crate) mod places;
 pub(crate) mod sides;
 mod skeleton;
 mod smoothing;
 mod spheres;
 mod standing;
-mod unread;
+mod refused_or_ignored;
 
 use osim_model::{Finding, FindingCode, Model, Rule};
 use osim_requests::Request;
 
 use crate::findings::{FindingWithRemedy, Remedies};
-use crate::floors::Floors;
+use crate::plane_judgement::Floors;
 use crate::sides::BothSides;
 pub use contacts::describe_unmatched_patterns;
 pub use depth::ways_within_hertz;
@@ -54,14 +54,14 @@ macro_rules! rule_table {
 static MODEL_RULES: RuleTable<ModelRule> = rule_table! {
     components [CONNECTEE_BY_NAME, SOCKET_NOWHERE, MISNAMED_PARAMETER_SET]
         => (Rest, components::find_irregularities);
-    unread [BODY_WITHOUT_JOINT, VERSION_AGAINST_FORM, MISPLACED_OBJECT, IGNORED_CONTACTS, UNKNOWN_NAME]
-        => (Rest, unread::find_unread);
+    refused_or_ignored [BODY_WITHOUT_JOINT, VERSION_AGAINST_FORM, MISPLACED_OBJECT, IGNORED_CONTACTS, UNKNOWN_NAME]
+        => (Rest, refused_or_ignored::find_unread);
     misread [ODD_NUMBER, NOT_FINITE, OUT_OF_DOMAIN] => (Numbers, misread::apply_value_rules);
     // The texts of other numbers, by the same rules.
     misread [] => (Rest, misread::find_misread_texts);
-    numbers [ANGLE_IN_DEGREES] => (Rest, numbers::find_angle_in_degrees);
-    numbers [MASSLESS_BODY] => (Rest, numbers::find_massless_body);
-    numbers [DEFAULT_OUTSIDE_RANGE] => (Rest, numbers::find_default_outside_range);
+    unlikely_numbers [ANGLE_IN_DEGREES] => (Rest, unlikely_numbers::find_angle_in_degrees);
+    unlikely_numbers [MASSLESS_BODY] => (Rest, unlikely_numbers::find_massless_body);
+    unlikely_numbers [DEFAULT_OUTSIDE_RANGE] => (Rest, unlikely_numbers::find_default_outside_range);
     skeleton [ODD_PARENT, LEFT_RIGHT_BONES] => (Rest, skeleton::find_wrong_side_or_unlike_limbs);
     skeleton [FOOT_SPHERE_ON_GROUND] => (Rest, skeleton::find_foot_sphere_on_ground);
     skeleton [ROOT_HELD] => (Rest, skeleton::find_root_held);
@@ -72,8 +72,8 @@ static MODEL_RULES: RuleTable<ModelRule> = rule_table! {
     forces [SURFACE_NAMED_TWICE, NO_SURFACES_MEET, SPHERE_OF_OTHER_SIDE, SHAPE_PRESSES_NOTHING]
         => (Rest, forces::apply_surface_rules);
     forces [ELLIPSOID] => (Numbers, forces::find_ellipsoid);
-    numbers [DEFAULT_STIFFNESS] => (Numbers, numbers::find_default_stiffness);
-    numbers [ZERO_CONSTANT_CONTACT_FORCE] => (Numbers, numbers::find_zero_constant_contact_force);
+    unlikely_numbers [DEFAULT_STIFFNESS] => (Numbers, unlikely_numbers::find_default_stiffness);
+    unlikely_numbers [ZERO_CONSTANT_CONTACT_FORCE] => (Numbers, unlikely_numbers::find_zero_constant_contact_force);
     // This line also applies `SIDE_RULES`.
     sides [LEFT_RIGHT_DIFFER, LEFT_RIGHT_CLOSE] => (Numbers, apply_side_rules);
     friction [LARGE_FRICTION, DYNAMIC_ABOVE_STATIC, ODD_TRANSITION_VELOCITY]
@@ -210,8 +210,8 @@ pub(crate) fn apply_figure_rules(check: &FigureCheck<'_>) -> Vec<FindingWithReme
 /// The request that corrects a finding of [`model_findings`], if there is one.
 pub(crate) fn find_remedy(model: &Model, finding: &Finding, remedies: &Remedies<'_>) -> Option<Request> {
     match finding.code() {
-        FindingCode::DefaultStiffness => numbers::take_published_contacts(remedies),
-        FindingCode::ZeroConstantContactForce => numbers::set_suggested_constant_indentation(remedies),
+        FindingCode::DefaultStiffness => unlikely_numbers::take_published_contacts(remedies),
+        FindingCode::ZeroConstantContactForce => unlikely_numbers::set_suggested_constant_indentation(remedies),
         FindingCode::ConnecteeByName => components::connect_sockets(remedies, model),
         FindingCode::MocoDialect => forces::convert_moco_forces(remedies, model, finding),
         _ => None,

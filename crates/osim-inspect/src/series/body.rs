@@ -14,7 +14,7 @@ use osim_model::{
 
 use crate::figures::Figures;
 use crate::findings::{FindingWithRemedy, check_without_remedies};
-use crate::floors::weight_share_on_floor;
+use crate::plane_judgement::weight_share_on_floor;
 use crate::load::{ContactsOrigin, InspectOptions, LoadSharing, MassMismatch, Stance};
 
 /// The weight of a body, and the spheres that carry it.

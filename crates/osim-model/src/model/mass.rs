@@ -6,7 +6,7 @@ use crate::messages::{Input, Phrase, phrase, readable};
 use crate::model::fault::{
     Fault, FaultKind, MassMistake, MassesOfOtherRows, MissingFact, POUND_KG, Suspicion,
 };
-use crate::model::names::{Pattern, any_pattern_matches};
+use crate::model::names_and_sides::{Pattern, any_pattern_matches};
 use crate::model::rules::{self, MassFromSource};
 use crate::model::{Body, Finding, Model};
 

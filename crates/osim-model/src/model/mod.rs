@@ -20,7 +20,7 @@
 
 mod anatomy;
 mod body_sizes;
-mod choices;
+mod change_choices;
 mod components;
 mod contact_digest;
 mod contacts;
@@ -30,14 +30,14 @@ pub mod files;
 mod finding;
 mod limbs;
 mod mass;
-mod names;
+mod names_and_sides;
 mod note;
 mod placement;
 mod property;
 mod read;
 pub(crate) mod rules;
 mod selection;
-mod sized;
+mod numbers_with_units;
 mod skeleton;
 mod typed_model;
 
@@ -51,7 +51,7 @@ pub use anatomy::{
     rounding_of_places_m,
 };
 pub use body_sizes::{AttachedMesh, BodyShape, ScaledSinceNote};
-pub use choices::{Assignment, DissipationBy, MovedSpheres, PropertySet, RadiusAxis, RadiusRule};
+pub use change_choices::{Assignment, DissipationBy, MovedSpheres, PropertySet, RadiusAxis, RadiusRule};
 pub use components::{Companion, Component, ComponentId, ComponentTree, Components, component_classes};
 pub use contact_digest::{ValueKey, short_digest};
 pub use contacts::{
@@ -72,7 +72,7 @@ pub use mass::{
     Mass, MassRequest, MassSource, are_equal_gravities, are_equal_masses, implausible_mass, is_at_target,
     positive_mass,
 };
-pub use names::{
+pub use names_and_sides::{
     Pattern, PatternError, Side, nearest_names, refuse_name, refuse_name_in_paths, without_side,
 };
 pub use note::{
@@ -82,6 +82,6 @@ pub use placement::{Axis, LevelAxis, MovingPlacement, Placement, Rotation, angle
 pub use property::{Class, Property, Value, ValueOrigin};
 pub use rules::RULES;
 pub use selection::{Selected, Selection};
-pub use sized::{Dimension, NotRead, SizedKind, SizedValue, SizedValues};
+pub use numbers_with_units::{Dimension, NotRead, SizedKind, SizedValue, SizedValues};
 pub use skeleton::{Body, Loops, Skeleton};
 pub use typed_model::Model;

@@ -8,7 +8,7 @@ use contact_scaling::SmoothingValues;
 
 use crate::messages::named;
 use crate::model::fault::{Fault, FaultKind};
-use crate::model::names::nearest_names;
+use crate::model::names_and_sides::nearest_names;
 use crate::xml::opensim_text::NumberFault;
 
 /// A numeric property of a contact force or contact sphere.

@@ -6,7 +6,7 @@ use foldhash::{HashMap, HashMapExt};
 
 use crate::messages::{Input, listed};
 use crate::model::components::{Carrier, ComponentId};
-use crate::model::names::{Pattern, any_pattern_matches};
+use crate::model::names_and_sides::{Pattern, any_pattern_matches};
 use crate::model::{Fault, FaultKind, Force, ForceId, ForcesOfAnimal, MissingFact, Model};
 
 /// The user's choice of forces, by name.

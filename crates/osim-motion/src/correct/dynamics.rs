@@ -7,7 +7,7 @@ use osim_model::{DVec3, Model, MovingPlacement};
 
 use super::slopes::SLOPE_STEP;
 use super::unknowns::{CoordinatesOfCorrection, CorrectedCoordinate};
-use crate::joint_paths::JointPaths;
+use crate::body_motions::JointPaths;
 use crate::{
     ContactStates, CoordinateKind, Foot, MeasuredForces, MotionFault, Recording, StatesError, Wrench,
 };

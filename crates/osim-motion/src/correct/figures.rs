@@ -3,7 +3,7 @@
 use osim_model::DVec3;
 
 use super::residuals::CorrectionInputs;
-use crate::comparison::{Comparison, ComparisonPlane, percentile};
+use crate::plate_comparison::{Comparison, ComparisonPlane, percentile};
 use crate::{ContactStates, CoordinateKind, Foot, MeasuredForces, TOUCH_DOWN_BW, Wrench};
 
 /// Root mean squares of the differences from the plates, in body weights.

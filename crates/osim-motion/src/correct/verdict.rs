@@ -7,7 +7,7 @@ use osim_model::{DVec3, Model};
 use super::dynamics::{END_FRAMES, Masses};
 use super::figures::{CorrectionFigures, FootErrors};
 use super::unknowns::CorrectionOptions;
-use crate::comparison::percentile;
+use crate::plate_comparison::percentile;
 use crate::{
     CentreOfPressure, ContactStates, Foot, MeasuredForces, Recording, StatesError, TOUCH_DOWN_BW, Wrench,
 };

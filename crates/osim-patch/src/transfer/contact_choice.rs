@@ -9,7 +9,7 @@ use osim_model::{
 
 use crate::builder::{NewNumber, PlanBuilder};
 use crate::change::{predsim_factor, property_factor};
-use crate::radii::Radii;
+use crate::new_radii::Radii;
 use crate::transfer::reference::{Reference, ReferenceContact, ScalingRule, Transfer};
 
 /// Two dimensionless contacts with at most this relative difference are equal.

@@ -5,7 +5,7 @@ mod change;
 mod inspect;
 mod knowledge;
 mod library;
-mod parameters;
+mod design_and_fit;
 mod plot;
 mod verbs;
 
@@ -14,6 +14,6 @@ pub use change::*;
 pub use inspect::*;
 pub use knowledge::*;
 pub use library::*;
-pub use parameters::*;
+pub use design_and_fit::*;
 pub use plot::*;
 pub use verbs::*;

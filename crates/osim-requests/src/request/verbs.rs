@@ -13,7 +13,7 @@ use crate::request::change::{
 use crate::request::inspect::{CheckRequest, DropTestRequest, InspectRequest, MotionRequest, NoteRequest};
 use crate::request::knowledge::{ExplainRequest, PresetsRequest, ReproduceRequest};
 use crate::request::library::{BatchRequest, SweepRequest};
-use crate::request::parameters::{DesignRequest, FitRequest};
+use crate::request::design_and_fit::{DesignRequest, FitRequest};
 use crate::request::plot::PlotRequest;
 use crate::{Relation, RequestFault, dictionary};
 

@@ -4,8 +4,8 @@ mod drop;
 mod fit;
 mod motion;
 mod motion_record;
-mod next_step;
-mod preset;
+mod moco_and_nmsm;
+mod preset_and_design;
 
 pub use drop::{DropDifferenceRecord, DropRecord, DropSeriesRecord, drop_chart, drop_csv, drop_text};
 pub use fit::{EstimateRecord, FitRecord, FitWarningRecord, ResidualsRecord, fit_text};
@@ -16,5 +16,5 @@ pub use motion::{
     MotionStanceRecord, MotionTouchDownRecord, ResidualRecord, RootResidualRecord, corrected_files,
     external_loads_xml, ground_reactions_sto, motion_columns, motion_csv, motion_text,
 };
-pub use next_step::{MOCO_FILES, NMSM_FILES, moco_files, nmsm_files};
-pub use preset::{PresetRecord, SweepRecord, design_sheet_text, preset_text};
+pub use moco_and_nmsm::{MOCO_FILES, NMSM_FILES, moco_files, nmsm_files};
+pub use preset_and_design::{PresetRecord, SweepRecord, design_sheet_text, preset_text};

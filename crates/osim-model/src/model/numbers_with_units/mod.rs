@@ -5,7 +5,7 @@ mod kind;
 
 use std::collections::{BTreeMap, HashMap};
 
-use crate::model::sized::kind::{SizedKindRule, SizedProperty, sized_properties, why_not_read};
+use crate::model::numbers_with_units::kind::{SizedKindRule, SizedProperty, sized_properties, why_not_read};
 use crate::model::{ComponentId, Document, Model};
 use crate::xml::{ElementId, opensim_text};
 pub use kind::{Dimension, SizedKind};
