@@ -24,11 +24,11 @@
 
 mod figures;
 mod findings;
-mod plane_judgement;
 mod inspection;
 mod known_contacts;
 mod load;
 mod place_evidence;
+mod plane_judgement;
 mod quantity;
 mod reach;
 mod real_feet;
@@ -41,10 +41,10 @@ mod verdicts;
 
 pub use figures::{Figure, FigureVisibility, Figures, LimbFigures, LimitCheck, SphereFigures};
 pub use findings::{
-    ChangeableValues, CheckResult, Counts, FindingIndex, FindingWithRemedy, check_model,
+    ChangeableValues, CheckResult, ConsistencyRecord, CorrectedErrorRecord, Counts, FindingIndex,
+    FindingWithRemedy, JointMomentsRecord, ResidualRecord, RootResidualRecord, check_model,
     check_without_remedies,
 };
-pub use floors::weight_share_on_floor;
 pub use inspection::{
     BodyAtRest, Bottom, ContactsMass, Dimensionless, FactorsBySource, InspectedBody, InspectedFactors,
     InspectedForce, InspectedLimb, InspectedSphere, Inspection, NoteStep, NoteSummary, Origins, Parameters,
@@ -55,6 +55,7 @@ pub use load::{
     ContactsOrigin, InspectOptions, LoadSharing, MassMismatch, Stance, masses_perhaps_in_pounds,
     unexplained_mass,
 };
+pub use plane_judgement::weight_share_on_floor;
 pub use quantity::Quantity;
 pub use rules::{
     describe_unmatched_patterns, find_misplaced_spheres, model_findings, rules, ways_within_hertz,

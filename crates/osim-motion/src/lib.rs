@@ -8,16 +8,16 @@
 //! It opens no file and changes nothing. It enforces no constraints but couplers.
 #![cfg_attr(not(test), deny(clippy::disallowed_methods))]
 
-mod plate_comparison;
+mod body_motions;
 mod coordinates;
 pub mod correct;
 mod feet;
 pub mod fit;
 mod fit_result;
 mod fit_trial;
-mod body_motions;
 mod pair;
 mod plate_assignment;
+mod plate_comparison;
 mod plates;
 mod recording;
 mod sole;
@@ -25,12 +25,12 @@ mod states;
 mod summary;
 mod table;
 
-pub use crate::plate_comparison::{Comparison, ComparisonPlane, LeftOutForces};
+pub use crate::body_motions::Poses;
 pub use crate::coordinates::{CoordinateKind, ModelCoordinate};
 pub use crate::feet::{Foot, StancePhase, TOUCH_DOWN_BW, strides};
-pub use crate::body_motions::Poses;
 pub use crate::pair::{ContactPair, TouchedSurface};
 pub use crate::plate_assignment::{AssignedBy, MeasuredForces, PlateAssignment};
+pub use crate::plate_comparison::{Comparison, ComparisonPlane, LeftOutForces};
 pub use crate::plates::{ExternalLoad, ExternalLoads, Plate};
 pub use crate::recording::{Recording, RecordingFacts, RecordingOptions};
 pub use crate::sole::PressureOnSole;

@@ -4,8 +4,8 @@ use std::ops::Range;
 
 use osim_model::Side;
 
-use crate::plate_comparison::percentile;
 use crate::feet::{Foot, LIFT_OFF_BW, TOUCH_DOWN_BW};
+use crate::plate_comparison::percentile;
 use crate::{ContactState, ContactStates, Plate, Wrench};
 
 /// The source of the knowledge which foot a plate measured.

@@ -5,9 +5,9 @@ use std::ops::Range;
 use contact_scaling::{limits, patch, restitution};
 use osim_model::DVec3;
 
-use crate::plate_comparison::{Comparison, ComparisonPlane, percentile};
 use crate::feet::{Foot, StancePhase, TOUCH_DOWN_BW, strides};
 use crate::plate_assignment::MeasuredForces;
+use crate::plate_comparison::{Comparison, ComparisonPlane, percentile};
 use crate::states::{CentreOfPressure, ContactState, ContactStates, Wrench};
 
 /// Summary of a sphere along a recording.

@@ -13,9 +13,9 @@ use osim_model::{
 
 use crate::builder::{NewNumber, PlanBuilder, change_composite, scale_with_radius};
 use crate::change::{ChangedBy, property_factor};
+use crate::new_radii::{Radii, SphereRadiusRule};
 use crate::note::KeptMass;
 use crate::plan::{Masses, NoteFacts, Plan};
-use crate::new_radii::{Radii, SphereRadiusRule};
 use crate::rules::{self, REMARK_PLACES_STAY, remark_on_equilibrium, remark_on_moved_bottoms};
 
 /// The relative indentation at which the mean contact stress is `stress_n_m2`, under a force on each sphere: (15) gives x̂ of a stress as

@@ -10,8 +10,8 @@ use osim_model::{
 
 use crate::builder::{NewNumber, PlanBuilder};
 use crate::change::{GravityChange, property_factor};
-use crate::plan::{Masses, NoteFacts, Plan};
 use crate::new_radii::{Radii, SphereRadiusRule};
+use crate::plan::{Masses, NoteFacts, Plan};
 use crate::rules::{self, REMARK_GRAVITY_STAYS, warn_forces};
 
 /// The note's name for a rescaling that moved spheres with their bodies by a `ScaleSet`.

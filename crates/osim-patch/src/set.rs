@@ -9,9 +9,9 @@ use osim_model::{
 
 use crate::builder::{NewNumber, PlanBuilder};
 use crate::change::{ChangedBy, PlaceChange};
+use crate::new_radii::ForcesOutsideChange;
 use crate::note::KeptMass;
 use crate::plan::{Masses, NoteFacts, Plan};
-use crate::new_radii::ForcesOutsideChange;
 use crate::rules::{self, REMARK_LEVEL_FEET};
 
 /// The last word in the note's operation if feet were also made level.

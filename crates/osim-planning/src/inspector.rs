@@ -244,7 +244,8 @@ impl Inspector {
             .with_tried_remedies(model, result);
         result.similarity = similarity;
         if let Some(motion) = &self.motion {
-            let (answer, remark) = motion.answer(&name.to_path(), files);
+            let (answer, remark, consistency) = motion.answer(&name.to_path(), files);
+            result.consistency = consistency;
             result.add_recording(answer, remark);
         }
         result

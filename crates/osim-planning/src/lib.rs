@@ -29,12 +29,12 @@
 
 mod before_after;
 mod calculator;
-mod motion_consistency;
 pub mod contact_table;
 mod drop_test;
 mod fit_curve;
 mod inspector;
 pub(crate) mod motion;
+mod motion_consistency;
 mod motion_remarks;
 mod next_models;
 mod opening;
@@ -52,11 +52,11 @@ pub(crate) mod verbs;
 
 pub use crate::before_after::{BeforeAfter, BeforeAndAfterPlan};
 pub use crate::calculator::{DesignFigure, DesignLimit, DesignSheet, design_sheet};
-pub use crate::motion_consistency::{Consistency, MotionRemark};
 pub use crate::drop_test::{ComparedDrop, DropResult, DropRow, run_drop_test};
 pub use crate::fit_curve::{FitResult, run_fit};
 pub use crate::inspector::Inspector;
 pub use crate::motion::{MotionResult, PlatesRead, run_motion};
+pub use crate::motion_consistency::{Consistency, MotionRemark};
 pub use crate::next_models::{MocoStart, NextModels};
 pub use crate::opening::{all_preset_names, find_presets, may_be_file, open_with, presets_of_unlike_spheres};
 pub use crate::plot::{HeatTable, ModelFeet, TableColumn, plot_bodies, plot_feet, plot_motion, plot_table};

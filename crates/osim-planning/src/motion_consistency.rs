@@ -1,5 +1,8 @@
 //! Whether a motion, the contacts of a model and force plates agree: by the least correction of the motion that makes them agree.
 
+use osim_inspect::{
+    ConsistencyRecord, CorrectedErrorRecord, JointMomentsRecord, ResidualRecord, RootResidualRecord,
+};
 use osim_model::messages::{Input, Phrase, Verb, phrase};
 use osim_model::{DVec3, Model};
 use osim_motion::correct::{
@@ -92,6 +95,59 @@ impl Consistency {
         remarks.extend(figures.map(|text| MotionRemark { code: "consistency", message: text.into() }));
         Ok(Consistency { verdict, why, remarks, correction: Some(correction) })
     }
+
+    /// The verdict and its figures as JSON has them; `why` is the sentence in the reader's spelling.
+    pub fn record(&self, why: String) -> ConsistencyRecord {
+        let correction = self.correction.as_ref();
+        let figures = correction.map(|one| &one.figures);
+        let feet = || figures.into_iter().flat_map(|figures| &figures.feet);
+        let errors = |error: fn(&ForceErrors) -> f64| {
+            let of_foot = |foot: &FootErrors| CorrectedErrorRecord {
+                foot: foot.foot.clone(),
+                before: error(&foot.before),
+                after: error(&foot.after),
+                null: error(&foot.null),
+            };
+            feet().map(of_foot).collect()
+        };
+        ConsistencyRecord {
+            verdict: self.verdict.as_str().to_owned(),
+            why,
+            vertical_rms_bw: errors(|errors| errors.vertical_bw),
+            horizontal_rms_bw: errors(|errors| errors.horizontal_bw),
+            cop_rms_m: feet().filter_map(|foot| foot.cop_rms_m).reduce(f64::max),
+            floor_up_m: correction.map(|one| one.floor_up_m),
+            belt_m_per_s: correction.map(|one| one.belt_m_s.into()),
+            lift_rms_m: figures.map(|figures| figures.lift_rms_m),
+            lift_p95_m: figures.map(|figures| figures.lift_p95_m),
+            joint_rms_rad: figures.map(|figures| figures.largest_of_feet(|foot| foot.joint_rms_rad)),
+            left_minus_right_m: figures.and_then(left_minus_right_m),
+            largest_relative_indentation: figures.map(|figures| figures.largest_relative_indentation),
+            root_residual: correction.map(|one| root_residuals(&one.dynamics)),
+            joint_moment_change_nm: correction.map(|one| {
+                let [hip, knee, ankle] = one.dynamics.moment_changes_n_m;
+                JointMomentsRecord { hip, knee, ankle }
+            }),
+        }
+    }
+}
+
+fn root_residuals(dynamics: &InverseDynamics) -> RootResidualRecord {
+    let part = |part: fn(&RootResidual) -> Option<f64>| ResidualRecord {
+        before: part(&dynamics.before),
+        after: part(&dynamics.after),
+        with_plates: part(&dynamics.with_plates),
+    };
+    RootResidualRecord {
+        vertical: part(|residual| Some(residual.vertical_bw)),
+        horizontal: part(|residual| Some(residual.horizontal_bw)),
+        moment: part(|residual| residual.moment_bw_m),
+    }
+}
+
+fn left_minus_right_m(figures: &CorrectionFigures) -> Option<f64> {
+    let sign = if figures.feet.first()?.foot.starts_with("left") { -1.0 } else { 1.0 };
+    Some(sign * figures.difference_of_feet_m()?)
 }
 
 /// With fewer frames in common, plates and motion cannot be compared.

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use osim_inspect::describe_unmatched_patterns;
+use osim_inspect::{ConsistencyRecord, describe_unmatched_patterns};
 use osim_model::Finding;
 use osim_model::files::Files;
 use osim_model::messages::{Input, Phrase, Verb, counted, four_significant, listed, phrase, readable, shown};
@@ -14,7 +14,9 @@ use osim_motion::{
 use osim_requests::options::InspectionOptions;
 use osim_requests::{CheckRequest, MotionRequest, RequestError};
 
-use crate::motion_consistency::{CORRECTED_ALREADY, MotionRemark, cause_in_words, horizontal_error, two_digits};
+use crate::motion_consistency::{
+    CORRECTED_ALREADY, MotionRemark, cause_in_words, horizontal_error, two_digits,
+};
 use crate::{MotionResult, rules, run_motion};
 
 /// If the mean force of the plates over whole strides differs from the model's weight by more than this (relative), plates and model do not
@@ -281,7 +283,7 @@ impl CheckedMotion {
     }
 
     /// Whether the contacts of the model at `path` fit the recording: a sentence if they fit, a finding if not, or the reason why it is not
-    /// known. With it a finding about horizontal forces, if there is one.
+    /// known. With it a finding about horizontal forces, if there is one, and the figures of the correction.
     pub(crate) fn answer(&self, path: &Path, files: &dyn Files) -> RecordingAnswer {
         let mut weight = None;
         let judged = match self.follow(path, files) {
@@ -298,12 +300,13 @@ impl CheckedMotion {
         let correction = judged.as_ref().ok().and_then(|judged| judged.correction.as_ref());
         let remark = correction.and_then(|one| horizontal_error(&one.figures)).map(rules::horizontal_error);
         let weight = weight.filter(|_| correction.is_some()).map(|text| text + "; ").unwrap_or_default();
+        let record = judged.as_ref().ok().map(|judged| judged.record(judged.why.to_string()));
         let answer = judged.map(|judged| match (judged.verdict, phrase![weight, &judged.why]) {
             (MotionVerdict::Agree, why) => Ok(why),
             (verdict, why) => Err(rules::unlike_recording(verdict == MotionVerdict::LargeCorrection, why)),
         });
-        (answer, remark)
+        (answer, remark, record)
     }
 }
 
-type RecordingAnswer = (Result<Result<Phrase, Finding>, Phrase>, Option<Finding>);
+type RecordingAnswer = (Result<Result<Phrase, Finding>, Phrase>, Option<Finding>, Option<ConsistencyRecord>);

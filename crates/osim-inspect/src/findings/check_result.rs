@@ -49,6 +49,93 @@ pub struct CheckResult {
     /// What else of the model follows its size, compared with the model that was scaled, if one is given.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub similarity: Option<SizeList>,
+    /// Whether motion, contacts and plates agree, with a recording whose plates can be compared.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub consistency: Option<ConsistencyRecord>,
+}
+
+/// Whether a motion, contacts and plates agree: by the least correction of the motion that makes them agree.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
+pub struct ConsistencyRecord {
+    /// `agree`, `large-correction` or `disagree`.
+    pub verdict: String,
+    /// The verdict in words.
+    pub why: String,
+    /// Errors of the vertical force of each foot (rms), body weights.
+    pub vertical_rms_bw: Vec<CorrectedErrorRecord>,
+    /// Errors of the horizontal force of each foot (rms), body weights.
+    pub horizontal_rms_bw: Vec<CorrectedErrorRecord>,
+    /// Root mean square of the distance between both centres of pressure after the correction, of the worst foot, m.
+    pub cop_rms_m: Option<f64>,
+    /// How much higher the floor is than in the model, m.
+    pub floor_up_m: Option<f64>,
+    /// Velocity of the treadmill's belt, m/s.
+    pub belt_m_per_s: Option<[f64; 3]>,
+    /// Root mean square of the vertical moves of loaded spheres, without that of the floor, m.
+    pub lift_rms_m: Option<f64>,
+    /// The 95th percentile of the size of these moves, m.
+    pub lift_p95_m: Option<f64>,
+    /// The largest correction of an angle of a leg in stance (rms), without toes, rad.
+    pub joint_rms_rad: Option<f64>,
+    /// How much more the left foot is lifted than the right, m.
+    pub left_minus_right_m: Option<f64>,
+    /// Largest x/R after the correction.
+    pub largest_relative_indentation: Option<f64>,
+    /// The force and moment at the root that nothing explains, by inverse dynamics.
+    pub root_residual: Option<RootResidualRecord>,
+    /// How much the correction changes joint moments with the forces of the plates, N m.
+    pub joint_moment_change_nm: Option<JointMomentsRecord>,
+}
+
+/// An error of one foot.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
+pub struct CorrectedErrorRecord {
+    /// The foot.
+    pub foot: String,
+    /// Before the correction.
+    pub before: f64,
+    /// After the correction.
+    pub after: f64,
+    /// Of a model that never touches.
+    pub null: f64,
+}
+
+/// The force and moment at the root that nothing explains, by inverse dynamics.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
+pub struct RootResidualRecord {
+    /// Along the normal of the floor, body weights.
+    pub vertical: ResidualRecord,
+    /// Along the floor, body weights.
+    pub horizontal: ResidualRecord,
+    /// Moment, body weights times m.
+    pub moment: ResidualRecord,
+}
+
+/// One part of a residual (rms).
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
+pub struct ResidualRecord {
+    /// With the contacts before the correction.
+    pub before: Option<f64>,
+    /// With the contacts after the correction.
+    pub after: Option<f64>,
+    /// With the plates after the correction; absent for a moment where their points are not known.
+    pub with_plates: Option<f64>,
+}
+
+/// Changes of joint moments (rms), of the angle and side with the largest.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
+pub struct JointMomentsRecord {
+    /// Hip, N m.
+    pub hip: Option<f64>,
+    /// Knee, N m.
+    pub knee: Option<f64>,
+    /// Ankle, N m.
+    pub ankle: Option<f64>,
 }
 
 /// Sorts findings from the most severe to the least severe; equally severe findings in the order of the register of rules.
@@ -128,6 +215,7 @@ impl CheckResult {
             corrected: 0,
             beside_real_feet: inspected.beside_real_feet(),
             similarity: None,
+            consistency: None,
         }
         .with_steps_of_remedies()
     }

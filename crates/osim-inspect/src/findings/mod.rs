@@ -6,7 +6,10 @@ mod finding;
 mod remedy;
 
 pub use check::{check_model, check_without_remedies};
-pub use check_result::{CheckResult, Counts};
+pub use check_result::{
+    CheckResult, ConsistencyRecord, CorrectedErrorRecord, Counts, JointMomentsRecord, ResidualRecord,
+    RootResidualRecord,
+};
 pub use finding::{FindingIndex, FindingWithRemedy};
 pub use remedy::ChangeableValues;
 pub(crate) use remedy::{

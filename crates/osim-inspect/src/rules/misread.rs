@@ -6,8 +6,8 @@ use osim_model::{
     Repair, Rule, Value,
 };
 
-use crate::rules::unlikely_numbers::is_default_stiffness;
 use crate::rules::refused_or_ignored::{FORCE_CLASSES, MeantNames, find_unknown_children, known_children};
+use crate::rules::unlikely_numbers::is_default_stiffness;
 
 /// A function that describes the fault of a value, in words that follow the name of the value; `None` if the value has no fault.
 type DescribeValue = fn(&Value) -> Option<String>;

@@ -9,14 +9,14 @@ pub(crate) mod floors;
 mod forces;
 mod friction;
 mod misread;
-mod unlikely_numbers;
 pub(crate) mod places;
+mod refused_or_ignored;
 pub(crate) mod sides;
 mod skeleton;
 mod smoothing;
 mod spheres;
 mod standing;
-mod refused_or_ignored;
+mod unlikely_numbers;
 
 use osim_model::{Finding, FindingCode, Model, Rule};
 use osim_requests::Request;
@@ -211,7 +211,9 @@ pub(crate) fn apply_figure_rules(check: &FigureCheck<'_>) -> Vec<FindingWithReme
 pub(crate) fn find_remedy(model: &Model, finding: &Finding, remedies: &Remedies<'_>) -> Option<Request> {
     match finding.code() {
         FindingCode::DefaultStiffness => unlikely_numbers::take_published_contacts(remedies),
-        FindingCode::ZeroConstantContactForce => unlikely_numbers::set_suggested_constant_indentation(remedies),
+        FindingCode::ZeroConstantContactForce => {
+            unlikely_numbers::set_suggested_constant_indentation(remedies)
+        }
         FindingCode::ConnecteeByName => components::connect_sockets(remedies, model),
         FindingCode::MocoDialect => forces::convert_moco_forces(remedies, model, finding),
         _ => None,

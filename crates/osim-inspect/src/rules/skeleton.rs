@@ -87,12 +87,20 @@ impl<'m> LimbsFromFeet<'m> {
     /// One finding for all bodies that hang on the other side or on ground.
     fn find_odd_parent(&self) -> Option<Finding> {
         let movements = Movements::of(self.model);
-        let odd: Vec<&str> =
-            self.by_name.values().copied().filter(|body| self.is_odd(body, &movements) == Some(true)).collect();
+        let odd: Vec<&str> = self
+            .by_name
+            .values()
+            .copied()
+            .filter(|body| self.is_odd(body, &movements) == Some(true))
+            .collect();
         let body = *odd.first()?;
         let (parent, counterpart) = (self.parent(body).unwrap_or("ground"), self.counterpart(body)?);
         let text = if self.parent(counterpart).is_none() && self.parent(body).is_none() {
-            format!("{} and {} hang on ground, apart from the rest of their limbs", shown(body), shown(counterpart))
+            format!(
+                "{} and {} hang on ground, apart from the rest of their limbs",
+                shown(body),
+                shown(counterpart)
+            )
         } else {
             let apart = self.describe_distance(body).unwrap_or_default();
             let more = other_cases_in_words(odd.len(), "another body, too", "other bodies, too");
@@ -108,7 +116,8 @@ impl<'m> LimbsFromFeet<'m> {
         let joint = self.above.get(body)?;
         if self.parent(body).is_none() && self.parent(counterpart).is_none() {
             // Other things of two sides, such as pedals, have no contacts.
-            let top = |sphere: &Sphere| sphere.body.as_deref().is_some_and(|foot| movements.top(foot) == body);
+            let top =
+                |sphere: &Sphere| sphere.body.as_deref().is_some_and(|foot| movements.top(foot) == body);
             let hangs_on_trunk = |((_, side), other): (&(String, Side), &&str)| {
                 Some(*side) == Side::of_name(body) && Side::of_name(movements.top(other)).is_none()
             };

@@ -14,8 +14,8 @@ use osim_model::{
 
 use crate::figures::Figures;
 use crate::findings::{FindingWithRemedy, check_without_remedies};
-use crate::plane_judgement::weight_share_on_floor;
 use crate::load::{ContactsOrigin, InspectOptions, LoadSharing, MassMismatch, Stance};
+use crate::plane_judgement::weight_share_on_floor;
 
 /// The weight of a body, and the spheres that carry it.
 #[derive(Debug, Clone)]

@@ -32,12 +32,12 @@ mod limbs;
 mod mass;
 mod names_and_sides;
 mod note;
+mod numbers_with_units;
 mod placement;
 mod property;
 mod read;
 pub(crate) mod rules;
 mod selection;
-mod numbers_with_units;
 mod skeleton;
 mod typed_model;
 
@@ -78,10 +78,10 @@ pub use names_and_sides::{
 pub use note::{
     BodySize, ChangedContacts, ChangedSinceNote, Credits, Note, NotedNames, NotedParts, Scope, Source, Step,
 };
+pub use numbers_with_units::{Dimension, NotRead, SizedKind, SizedValue, SizedValues};
 pub use placement::{Axis, LevelAxis, MovingPlacement, Placement, Rotation, angle_between};
 pub use property::{Class, Property, Value, ValueOrigin};
 pub use rules::RULES;
 pub use selection::{Selected, Selection};
-pub use numbers_with_units::{Dimension, NotRead, SizedKind, SizedValue, SizedValues};
 pub use skeleton::{Body, Loops, Skeleton};
 pub use typed_model::Model;

@@ -10,9 +10,9 @@ use osim_model::{
 
 use crate::builder::{PlanBuilder, change_composite, scale_with_radius};
 use crate::change::{ChangedBy, GravityChange, predsim_factor, property_factor};
+use crate::new_radii::{Radii, SphereRadiusRule};
 use crate::objects::keeps_sphere_inside;
 use crate::plan::{Masses, NoteFacts, Plan, TRANSFER_OPERATION};
-use crate::new_radii::{Radii, SphereRadiusRule};
 use crate::rules::{self, REMARK_GRAVITY_STAYS, REMARK_PLACES_STAY, warn_forces};
 use crate::transfer::contact_choice::{self, ContactChoice, ReferenceRadii};
 use crate::transfer::reference::{ReferenceContact, ScalingRule, Transfer};

@@ -21,11 +21,11 @@ use osim_requests::options::{AnswerOptions, InspectionOptions};
 use osim_requests::{FitRequest, FittedChoice, HeightChoice, MotionRequest, RequestError, RequestFault};
 
 use super::fit_remarks::{parameter_in_words, remarks};
-use crate::motion_consistency::{MotionRemark, cause_in_words};
 use crate::motion::{
     FollowedMotion, MotionResult, PlatesRead, belt_of_motion, mass_and_gravity, read_motion,
     recording_options,
 };
+use crate::motion_consistency::{MotionRemark, cause_in_words};
 use crate::motion_remarks::weight_mismatch;
 use crate::prepared_change::{Planner, PreparedChange, file_name};
 

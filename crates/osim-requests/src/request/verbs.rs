@@ -10,10 +10,10 @@ use crate::options::{AnswerOptions, OutputOptions, RunOptions};
 use crate::request::change::{
     AddRequest, ConvertRequest, RemoveRequest, RescaleRequest, SetRequest, TransferRequest,
 };
+use crate::request::design_and_fit::{DesignRequest, FitRequest};
 use crate::request::inspect::{CheckRequest, DropTestRequest, InspectRequest, MotionRequest, NoteRequest};
 use crate::request::knowledge::{ExplainRequest, PresetsRequest, ReproduceRequest};
 use crate::request::library::{BatchRequest, SweepRequest};
-use crate::request::design_and_fit::{DesignRequest, FitRequest};
 use crate::request::plot::PlotRequest;
 use crate::{Relation, RequestFault, dictionary};
 

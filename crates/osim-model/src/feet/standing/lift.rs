@@ -278,7 +278,8 @@ pub fn held_roots<'b>(model: &Model, bodies: impl Iterator<Item = &'b str>) -> V
         let trunk = path.split_off(path.iter().take_while(is_of_leg).count());
         let below = tree.with_all_below(top);
         let is_trunk = |held: &str| {
-            trunk.iter().any(|above| above.body == held) || (below.contains(held) && Side::of_name(held).is_none())
+            trunk.iter().any(|above| above.body == held)
+                || (below.contains(held) && Side::of_name(held).is_none())
         };
         let constraint = constraints.iter().find(|(held, _)| is_trunk(held));
         let fixed = constraint.map(|(held, name)| format!("{name} fixes {held} to ground"));

@@ -261,7 +261,9 @@ impl Model {
                 "WeldConstraint" | "PointConstraint" => {
                     [("frame1", &["socket_body_1", "body_1"]), ("frame2", &["socket_body_2", "body_2"])]
                 }
-                "PointOnLineConstraint" => [("line_body", &["line_body"]), ("follower_body", &["follower_body"])],
+                "PointOnLineConstraint" => {
+                    [("line_body", &["line_body"]), ("follower_body", &["follower_body"])]
+                }
                 _ => return None,
             };
             Some((base(id, one, of_one)?, base(id, two, of_two)?))

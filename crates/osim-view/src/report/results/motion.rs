@@ -14,9 +14,8 @@ use osim_planning::{MotionRemark, MotionResult};
 
 use crate::report::layout::{WIDTH, table, wrapped};
 pub use crate::report::results::motion_record::{
-    ConsistencyRecord, CorrectedErrorRecord, JointMomentsRecord, MotionComparisonRecord, MotionFootRecord,
-    MotionRecord, MotionRemarkRecord, MotionSphereRecord, MotionStanceRecord, MotionTouchDownRecord,
-    ResidualRecord, RootResidualRecord,
+    MotionComparisonRecord, MotionFootRecord, MotionRecord, MotionRemarkRecord, MotionSphereRecord,
+    MotionStanceRecord, MotionTouchDownRecord,
 };
 
 // A motion in words, with figures of each foot and sphere.

@@ -1,13 +1,12 @@
 //! The JSON record of contacts along a motion.
 
-use osim_inspect::SCHEMA_VERSION;
+use osim_inspect::{ConsistencyRecord, SCHEMA_VERSION};
 use osim_model::DVec3;
 use osim_model::messages::Dialect;
-use osim_motion::correct::{Correction, FootErrors, ForceErrors, InverseDynamics, RootResidual};
 use osim_motion::{
     Comparison, ContactPair, FootSummary, PressureOnSole, SphereSummary, StanceSummary, TouchDown,
 };
-use osim_planning::{Consistency, MotionRemark, MotionResult};
+use osim_planning::{MotionRemark, MotionResult};
 
 records! {
     /// A motion, as the JSON has it.
@@ -51,83 +50,9 @@ records! {
             result.summary.feet.iter().zip(&result.on_soles).map(|(foot, sole)| (result, foot, sole).into()).collect(),
         /// Whether motion, contacts and plates agree, if a corrected motion is wanted.
         #[serde(skip_serializing_if = "Option::is_none")]
-        consistency: Option<ConsistencyRecord> = result.consistency.as_ref().map(|one| (one, one.correction.as_ref(), dialect).into()),
+        consistency: Option<ConsistencyRecord> = result.consistency.as_ref().map(|one| one.record(one.why.spelled(dialect))),
         /// Remarks in words.
         remarks: Vec<MotionRemarkRecord> = remarks.iter().map(|remark| (remark, dialect).into()).collect(),
-    }
-
-    /// Whether a motion, contacts and plates agree: by the least correction of the motion that makes them agree.
-    ConsistencyRecord from (one, correction, dialect): (&Consistency, Option<&Correction>, &dyn Dialect) {
-        /// `agree`, `large-correction` or `disagree`.
-        verdict: String = one.verdict.as_str().to_owned(),
-        /// The verdict in words.
-        why: String = one.why.spelled(dialect),
-        /// Errors of the vertical force of each foot (rms), body weights.
-        vertical_rms_bw: Vec<CorrectedErrorRecord> = errors(correction, |errors| errors.vertical_bw),
-        /// Errors of the horizontal force of each foot (rms), body weights.
-        horizontal_rms_bw: Vec<CorrectedErrorRecord> = errors(correction, |errors| errors.horizontal_bw),
-        /// Root mean square of the distance between both centres of pressure after the correction, of the worst foot, m.
-        cop_rms_m: Option<f64> = feet(correction).filter_map(|foot| foot.cop_rms_m).reduce(f64::max),
-        /// How much higher the floor is than in the model, m.
-        floor_up_m: Option<f64> = correction.map(|one| one.floor_up_m),
-        /// Velocity of the treadmill's belt, m/s.
-        belt_m_per_s: Option<[f64; 3]> = correction.map(|one| one.belt_m_s.into()),
-        /// Root mean square of the vertical moves of loaded spheres, without that of the floor, m.
-        lift_rms_m: Option<f64> = correction.map(|one| one.figures.lift_rms_m),
-        /// The 95th percentile of the size of these moves, m.
-        lift_p95_m: Option<f64> = correction.map(|one| one.figures.lift_p95_m),
-        /// The largest correction of an angle of a leg in stance (rms), without toes, rad.
-        joint_rms_rad: Option<f64> = correction.map(|one| one.figures.largest_of_feet(|foot| foot.joint_rms_rad)),
-        /// How much more the left foot is lifted than the right, m.
-        left_minus_right_m: Option<f64> = correction.and_then(left_minus_right_m),
-        /// Largest x/R after the correction.
-        largest_relative_indentation: Option<f64> = correction.map(|one| one.figures.largest_relative_indentation),
-        /// The force and moment at the root that nothing explains, by inverse dynamics.
-        root_residual: Option<RootResidualRecord> = correction.map(|one| (&one.dynamics).into()),
-        /// How much the correction changes joint moments with the forces of the plates, N m.
-        joint_moment_change_nm: Option<JointMomentsRecord> = correction.map(|one| (&one.dynamics.moment_changes_n_m).into()),
-    }
-
-    /// The force and moment at the root that nothing explains, by inverse dynamics.
-    RootResidualRecord from one: &InverseDynamics {
-        /// Along the normal of the floor, body weights.
-        vertical: ResidualRecord = (one, (|residual| Some(residual.vertical_bw)) as Part).into(),
-        /// Along the floor, body weights.
-        horizontal: ResidualRecord = (one, (|residual| Some(residual.horizontal_bw)) as Part).into(),
-        /// Moment, body weights times m.
-        moment: ResidualRecord = (one, (|residual| residual.moment_bw_m) as Part).into(),
-    }
-
-    /// One part of a residual (rms).
-    ResidualRecord from (one, part): (&InverseDynamics, Part) {
-        /// With the contacts before the correction.
-        before: Option<f64> = part(&one.before),
-        /// With the contacts after the correction.
-        after: Option<f64> = part(&one.after),
-        /// With the plates after the correction; absent for a moment where their points are not known.
-        with_plates: Option<f64> = part(&one.with_plates),
-    }
-
-    /// Changes of joint moments (rms), of the angle and side with the largest.
-    JointMomentsRecord from changes: &[Option<f64>; 3] {
-        /// Hip, N m.
-        hip: Option<f64> = changes[0],
-        /// Knee, N m.
-        knee: Option<f64> = changes[1],
-        /// Ankle, N m.
-        ankle: Option<f64> = changes[2],
-    }
-
-    /// An error of one foot.
-    CorrectedErrorRecord from (foot, error): (&FootErrors, fn(&ForceErrors) -> f64) {
-        /// The foot.
-        foot: String = foot.foot.clone(),
-        /// Before the correction.
-        before: f64 = error(&foot.before),
-        /// After the correction.
-        after: f64 = error(&foot.after),
-        /// Of a model that never touches.
-        null: f64 = error(&foot.null),
     }
 
     /// Something that a reader should know of a motion.
@@ -247,28 +172,10 @@ records! {
     }
 }
 
-/// A part of a residual.
-type Part = fn(&RootResidual) -> Option<f64>;
-
 impl MotionRecord {
     pub fn new(result: &MotionResult, remarks: &[MotionRemark], dialect: &dyn Dialect) -> Self {
         (result, remarks, dialect).into()
     }
-}
-
-/// The feet of a correction; none without one.
-fn feet(correction: Option<&Correction>) -> impl Iterator<Item = &FootErrors> {
-    correction.into_iter().flat_map(|one| &one.figures.feet)
-}
-
-fn errors(correction: Option<&Correction>, error: fn(&ForceErrors) -> f64) -> Vec<CorrectedErrorRecord> {
-    feet(correction).map(|foot| (foot, error).into()).collect()
-}
-
-fn left_minus_right_m(correction: &Correction) -> Option<f64> {
-    let figures = &correction.figures;
-    let sign = if figures.feet.first()?.foot.starts_with("left") { -1.0 } else { 1.0 };
-    Some(sign * figures.difference_of_feet_m()?)
 }
 
 fn compared(result: &MotionResult, comparison: Option<&Comparison>) -> Option<MotionComparisonRecord> {
