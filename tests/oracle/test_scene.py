@@ -64,6 +64,30 @@ def test_spheres_and_joints_are_where_opensim_has_them(path):
             assert any(abs(height - foot["floor"]) < PLACE for height in heights), heights
 
 
+STATIONS = {"a": "0.01 -0.02 0.005", "b": "0.12 -0.01 0.02", "c": "0.03 0.04 0.09"}
+
+
+@pytest.mark.parametrize("axes", [("+x", "+y"), ("-z", "+x"), ("+y", "-z")])
+def test_a_frame_at_stations_is_where_opensim_has_it(axes, tmp_path):
+    """A sphere and a joint on a StationDefinedFrame of the foot: its stations are on the body, on an offset frame, and a marker."""
+    parents = {"a": "/bodyset/calcn_r", "b": "/jointset/mtp_r/calcn_r_offset", "c": "/bodyset/calcn_r"}
+    stations = "".join(
+        f'<Station name="{name}"><socket_parent_frame>{parents[name]}</socket_parent_frame><location>{at}</location></Station>'
+        for name, at in STATIONS.items()
+    ).replace("<Station ", "<Marker ", 1).replace("</Station>", "</Marker>", 1)
+    points = zip(("point_a", "point_b", "point_c", "origin_point"), "abcb", strict=True)
+    sockets = "".join(f"<socket_{socket}>/{station}</socket_{socket}>" for socket, station in points)
+    frame = f'<StationDefinedFrame name="sdf"><ab_axis>{axes[0]}</ab_axis><ab_x_ac_axis>{axes[1]}</ab_x_ac_axis>{sockets}</StationDefinedFrame>'
+    model = (FIXTURES / "check/known_contacts.osim").read_text()
+    model = model.replace("<gravity>", f"<components>{stations}{frame}</components><gravity>", 1)
+    model = model.replace("<socket_frame>/bodyset/calcn_r<", "<socket_frame>/sdf<", 1)
+    model = model.replace("<socket_child_frame>/bodyset/calcn_r<", "<socket_child_frame>/sdf<", 1)
+    path = tmp_path / "stations.osim"
+    path.write_text(model)
+    test_spheres_and_joints_are_where_opensim_has_them(path)
+    assert command.inspect(path).status == 0
+
+
 @pytest.mark.skipif(not CORPUS, reason=NO_CORPUS)
 def test_known_feet_are_found():
     """Two feet with heel and toes in every model of a person, with or without spheres."""

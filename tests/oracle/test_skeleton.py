@@ -39,6 +39,10 @@ HOLDS = {
     "point": with_constraint(
         '<PointConstraint name="stand"><socket_body_1>/ground</socket_body_1><socket_body_2>/bodyset/pelvis</socket_body_2></PointConstraint>'
     ),
+    "line": with_constraint(
+        '<PointOnLineConstraint name="rail"><socket_line_body>/ground</socket_line_body><socket_follower_body>/bodyset/pelvis'
+        "</socket_follower_body><line_direction_vec>1 0 0</line_direction_vec></PointOnLineConstraint>"
+    ),
     "level": with_function("<LinearFunction><coefficients>0 0</coefficients></LinearFunction>"),
 }
 FREE = {
@@ -50,6 +54,10 @@ FREE = {
         '<WeldConstraint name="stand"><isEnforced>false</isEnforced><socket_frame1>/ground</socket_frame1>'
         "<socket_frame2>/bodyset/pelvis</socket_frame2></WeldConstraint>"
     )(model),
+    "upright": with_constraint(
+        '<PointOnLineConstraint name="rail"><socket_line_body>/ground</socket_line_body><socket_follower_body>/bodyset/pelvis'
+        "</socket_follower_body><line_direction_vec>0 1 0</line_direction_vec></PointOnLineConstraint>"
+    ),
     "slope": with_function("<LinearFunction><coefficients>1 0</coefficients></LinearFunction>"),
 }
 
