@@ -303,6 +303,6 @@ fn a_preset_with_several_radii_can_be_transferred() {
     dir.run("drop-test moco-2d-gait --duration 0.01").succeeded();
     dir.run("transfer stiff.osim --from moco-2d --dry-run")
         .usage_error()
-        .says(&["one of: falisse2022, moco-3d-walking, osim-rl, moco-2d-gait"]);
+        .says(&["one of: falisse2022, moco-3d-walking, osim-rl, dhondt2024, moco-2d-gait"]);
     dir.run("presets moco-2d-gait").usage_error().says(&["add and transfer take them"]);
 }

@@ -100,9 +100,9 @@ fn presets_in_memory_equal_the_command() {
             .unwrap();
     let texts: Vec<String> =
         presets_in_memory_equal_the_command.iter().map(|preset| preset_text(preset, None)).collect();
-    // The command names the preset of unlike spheres, too.
+    // The command names the presets of unlike spheres, too.
     let out = dir.run("presets --presets lab.toml").succeeded().out();
-    assert_eq!(Some(texts.join("\n").as_str()), out.split("\nmoco-2d-gait\n").next());
+    assert_eq!(Some(texts.join("\n").as_str()), out.split("\ndhondt2024\n").next());
     let lines: String =
         presets_in_memory_equal_the_command.iter().map(|preset| line(&PresetRecord::from(preset))).collect();
     assert_eq!(lines, dir.run("presets --presets lab.toml --format json").succeeded().out());

@@ -349,8 +349,9 @@ fn composite_values(
 // Presets whose places are published, too: each is a small model of our own that says so.
 
 /// Names of presets, each with the text of its model.
-const PRESET_MODELS: [(&str, &str); 2] = [
+const PRESET_MODELS: [(&str, &str); 3] = [
     ("falisse2022", include_str!("presets/falisse2022.osim")),
+    ("dhondt2024", include_str!("presets/dhondt2024.osim")),
     ("moco-2d-gait", include_str!("presets/moco-2d-gait.osim")),
 ];
 

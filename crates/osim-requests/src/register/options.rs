@@ -102,7 +102,7 @@ pub(super) fn entry_of(field: Field<'_>, verb: Verb) -> Option<Entry> {
             Transfer => "Spheres take place and size from their bodies, which OpenSim has scaled";
         From = read(if is(&[Inspect, Check]) { "MODEL" } else { "MODEL|PRESET" }),
             "Where the contacts come from: a model, or a preset such as falisse2022",
-            Add => "Where the contacts come from: a model, or a preset with places: falisse2022, moco-2d-gait",
+            Add => "Where the contacts come from: a model, or a preset with places: falisse2022, dhondt2024, moco-2d-gait",
             Inspect => "The generic model this one was scaled from: show each body's factors",
             Check => "The generic model this one was scaled from: whether its spheres followed, and what else follows size";
         Presets = read("FILE").rare_if(!is(&[Presets])), "A file with presets of your own (TOML)";
