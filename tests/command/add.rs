@@ -254,8 +254,10 @@ fn presets_with_places_equal_the_published_models() {
             let dir = TestDir::new();
             let planned_numbers = |from: &str, reference: &str| -> Vec<(String, Vec<f64>)> {
                 let model = folder.join(format!("{model}.osim"));
-                let call =
-                    format!("add {} --from {from} {reference} --replace --format json --dry-run", model.display());
+                let call = format!(
+                    "add {} --from {from} {reference} --replace --format json --dry-run",
+                    model.display()
+                );
                 let plan: Value = serde_json::from_str(&dir.run(&call).succeeded().out()).unwrap();
                 let mut numbers_by_name = Vec::new();
                 for object in plan["objects"].as_array().unwrap() {

@@ -9,7 +9,6 @@ mod tree;
 use std::borrow::Cow;
 
 use crate::model::components::classes::CountedSets;
-use crate::model::contacts::planes::STATION_DEFINED_FRAME;
 use crate::model::{Document, Fault, FaultKind, FileId};
 use crate::xml::{ElementId, TextPosition};
 pub use classes::component_classes;
@@ -64,6 +63,8 @@ pub(crate) struct ConnectedFrame {
 const FIRST_VERSION_WITHOUT_GROUND_BODY: u32 = 30505;
 /// The ending of a socket's tag in old documents.
 pub(crate) const CONNECTEE_ENDING: &str = "_connectee_name";
+/// The class of a frame whose origin and axes are given by stations on one body.
+pub(crate) const STATION_DEFINED_FRAME: &str = "StationDefinedFrame";
 /// The longest chain of offset frames on offset frames. A longer chain must be a cycle.
 pub(crate) const MOST_FRAMES_IN_CHAIN: usize = 64;
 

@@ -6,7 +6,9 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use crate::model::anatomy::joints::placement_on_base;
-use crate::model::components::{Carrier, ComponentId, Components, MOST_FRAMES_IN_CHAIN};
+use crate::model::components::{
+    Carrier, ComponentId, Components, MOST_FRAMES_IN_CHAIN, STATION_DEFINED_FRAME,
+};
 use crate::model::contacts::force::{Force, ParameterSet};
 use crate::model::contacts::half_space::HalfSpace;
 use crate::model::contacts::read::OLD_CONSTANT_TAG;
@@ -158,9 +160,6 @@ impl Model {
         point.is_finite().then_some(point)
     }
 }
-
-/// A frame whose origin and axes are given by stations on one body.
-pub(crate) const STATION_DEFINED_FRAME: &str = "StationDefinedFrame";
 
 impl Components {
     /// The placement of `frame` in the frame that it is fixed to, and that frame (`None` inside is ground); `None` if it is fixed to none.
