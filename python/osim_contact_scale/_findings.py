@@ -121,6 +121,8 @@ class Finding(NamedValues):
         Sentences about single spheres, such as where each belongs; empty if the message says all.
     had_before : bool
         Of the result of a change: the model before it, or the reference, has this finding, too.
+    as_published : bool
+        The known contacts were published with the finding.
     remedy : Remedy or None
         A call that corrects it, if there is one.
     """
@@ -137,6 +139,7 @@ class Finding(NamedValues):
     column: int | None
     details: tuple[str, ...]
     had_before: bool
+    as_published: bool
     remedy: Remedy | None
 
     @classmethod

@@ -33,6 +33,29 @@ fn a_shank_on_the_other_thigh_causes_a_warning() {
 }
 
 #[test]
+fn both_feet_on_ground_cause_a_warning() {
+    let edit = |text: &str| {
+        let right = replaced_after(text, "<CustomJoint name=\"ankle_r\"", "/bodyset/tibia_r<", "/ground<");
+        replaced_after(&right, "<CustomJoint name=\"ankle_l\"", "/bodyset/tibia_l<", "/ground<")
+    };
+    let Some(report) = report_after("both_feet_on_ground_cause_a_warning", edit) else { return };
+    let found = finding_with_code(&report, "odd-parent");
+    assert_eq!(found["severity"], "warning");
+    assert_eq!(found["message"], "talus_l and talus_r hang on ground, apart from the rest of their limbs");
+}
+
+#[test]
+fn a_torso_that_is_welded_to_ground_causes_a_remark() {
+    let weld = "<objects><WeldConstraint name=\"stand\"><socket_frame1>/ground</socket_frame1>\
+        <socket_frame2>/bodyset/torso</socket_frame2></WeldConstraint></objects>";
+    let edit = |text: &str| replaced_after(text, "<ConstraintSet ", "<objects />", weld);
+    let Some(report) = report_after("a_torso_that_is_welded_to_ground_causes_a_remark", edit) else { return };
+    let found = finding_with_code(&report, "root-held");
+    assert_eq!(found["severity"], "remark");
+    assert!(found["message"].as_str().unwrap().contains("stand fixes torso to ground"), "{found}");
+}
+
+#[test]
 fn a_held_pelvis_causes_a_remark() {
     let edit = |text: &str| {
         replaced_after(text, "name=\"pelvis_ty\"", "<locked>false</locked>", "<locked>true</locked>")

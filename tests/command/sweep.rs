@@ -265,6 +265,10 @@ fn wrong_calls_are_refused_before_anything_is_written() {
             .wrote_nothing()
             .says(&["bad.osim:", "stiffness is"]);
     }
+    for bad in ["socket_of_joint", "name_with_blank", "body_without_joint"] {
+        dir.write("bad.osim", fixture(&format!("bad/{bad}.osim")));
+        dir.run("sweep bad.osim --grid stiffness=x1,x2 -d out").failed().wrote_nothing();
+    }
     // A number that the sweep leaves alone would be wrong in all variants.
     let human = String::from_utf8(fixture("table1/human_62kg_smooth_sphere.osim")).unwrap();
     dir.write("bad.osim", human.replacen("<location>", "<location>,", 1));

@@ -40,6 +40,7 @@ export interface Finding {
   place: string | null;
   spheres: string[];
   details: string[];
+  as_published: boolean;
   remedy: { text: string; request: Request } | null;
 }
 

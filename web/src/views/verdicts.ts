@@ -6,16 +6,10 @@ import { findingItems } from "./findings";
 import { sentence } from "./failure";
 
 const WORST_FIRST = ["error", "warning", "remark"];
-/** Findings that known contacts were published with are remarks of these codes. */
-const AS_PUBLISHED = new Set([
-  "known-contacts", "beyond-hertz", "beyond-hunt-crossley", "dead-derivative-smoothing", "force-before-contact", "large-constant-indentation",
-  "sunk-in", "wide-transition",
-]);
 
 /** The rows; those in `open` are unfolded. */
 export function verdictRows(verdicts: readonly Verdict[], findings: readonly Finding[], open: ReadonlySet<string>): HTMLElement[] {
-  const isKnown = findings.some(({ code }) => code === "known-contacts");
-  const isAsPublished = ({ code, severity }: Finding) => isKnown && severity === "remark" && AS_PUBLISHED.has(code);
+  const isAsPublished = (finding: Finding) => finding.as_published;
   const answers = verdicts.map((verdict) => {
     const its = findings.filter(({ code }) => verdict.codes.includes(code));
     const published = its.length > 0 && its.every(isAsPublished);

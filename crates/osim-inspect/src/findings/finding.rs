@@ -31,6 +31,12 @@ impl FindingWithRemedy {
         Self { finding: self.finding.with_severity(severity), remedy: None, is_published: true, ..self }
     }
 
+    /// Whether the known contacts were published with the finding. This does not make the contacts right for a body of another mass.
+    pub fn is_as_published(&self) -> bool {
+        self.code() == FindingCode::KnownContacts
+            || self.is_published && self.code() != FindingCode::ContactsOfAnotherMass
+    }
+
     /// Writes the texts and the remedy of the finding in the words of a front end.
     pub fn spell(&mut self, speller: &dyn Speller) {
         self.finding.spell(speller);

@@ -3,7 +3,8 @@
 use std::collections::BTreeMap;
 
 use foldhash::{HashSet, HashSetExt};
-use osim_model::messages::listed;
+use osim_model::messages::{listed, shown};
+use osim_model::opensim_text::list_words;
 use osim_model::{
     Class, Component, ComponentId, Example, FileId, Finding, Irregularity, Model, NoteDoubt,
     OTHER_CONTACT_CLASSES, Repair, refuse_name_in_paths,
@@ -100,6 +101,34 @@ pub(super) fn find_irregularities(model: &Model) -> Vec<Finding> {
         }
     }
     found
+}
+
+/// Finds names of coordinates, in constraints and forces, that no coordinate has: OpenSim refuses the model.
+pub(super) fn find_lost_coordinates(model: &Model) -> Vec<Finding> {
+    const TAGS: [&str; 3] = ["coordinate", "dependent_coordinate_name", "independent_coordinate_names"];
+    let components = model.components();
+    let all = || components.tree.iter().map(|(id, _)| id);
+    let written = all().filter(|&id| components.tag(id) == "Coordinate").map(|id| components.name(id));
+    let read = model.joints().iter().flat_map(|joint| &joint.coordinates).map(|one| one.name.as_str().into());
+    let known: HashSet<_> = written.chain(read).collect();
+    let kinds = ["Actuator", "Force", "CouplerConstraint"];
+    let owners = all().filter(|&id| kinds.iter().any(|kind| components.tag(id).ends_with(kind)));
+    let lost = owners.flat_map(|id| {
+        let document = components.document_of(id);
+        let named = document
+            .tree()
+            .children(components.element(id))
+            .filter(|&child| TAGS.contains(&document.tree().name(child)));
+        let known = &known;
+        named.filter_map(move |child| {
+            let text = document.tree().text_of(child).into_owned();
+            let name = list_words(&text).find(|name| !known.contains(*name) && *name != "Unassigned")?;
+            let (path, tag) = (components.tree.path(id), document.tree().name(child));
+            let text = format!("{tag} of {path} is '{}', which is the name of no coordinate", shown(name));
+            Some(Finding::at(&SOCKET_NOWHERE, document.position_of(child), text).with_place(&path))
+        })
+    });
+    lost.collect()
 }
 
 rule! { pub(super) MIXED_PAIR: MixedPair, Error;

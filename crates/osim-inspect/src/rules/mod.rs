@@ -54,6 +54,7 @@ macro_rules! rule_table {
 static MODEL_RULES: RuleTable<ModelRule> = rule_table! {
     components [CONNECTEE_BY_NAME, SOCKET_NOWHERE, MISNAMED_PARAMETER_SET]
         => (Rest, components::find_irregularities);
+    components [] => (Rest, components::find_lost_coordinates);
     refused_or_ignored [BODY_WITHOUT_JOINT, VERSION_AGAINST_FORM, MISPLACED_OBJECT, IGNORED_CONTACTS, UNKNOWN_NAME]
         => (Rest, refused_or_ignored::find_unread);
     misread [ODD_NUMBER, NOT_FINITE, OUT_OF_DOMAIN] => (Numbers, misread::apply_value_rules);

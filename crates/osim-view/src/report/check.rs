@@ -110,7 +110,7 @@ impl<'c> VerdictRows<'c> {
             let on = verdict.on.as_str();
             let about = || found.findings.iter().filter(|finding| finding.rule.verdict == Some(verdict.on));
             let text = verdict.text.to_string();
-            if about().next().is_some() && about().all(is_as_published) {
+            if about().next().is_some() && about().all(FindingWithRemedy::is_as_published) {
                 rows.published.push(on);
                 let text = format!("as published: {text}");
                 rows.good.push(VerdictRow { sign: Sign::Good, on, text });
@@ -119,7 +119,7 @@ impl<'c> VerdictRows<'c> {
             } else if verdict.sign == Sign::Unknown {
                 rows.unknown.entry(text).or_default().push(on);
             } else {
-                let mut findings: Vec<_> = about().filter(|finding| !is_as_published(finding)).collect();
+                let mut findings: Vec<_> = about().filter(|finding| !finding.is_as_published()).collect();
                 findings.sort_by_key(|own| verdict.codes.iter().position(|code| *code == own.code()));
                 // The answer has the text of the worst finding, which may be as published.
                 let other = findings.first().filter(|own| verdict.codes.first() != Some(&own.code()));
@@ -131,7 +131,7 @@ impl<'c> VerdictRows<'c> {
             }
         }
         let files = found.findings.iter().filter(|finding| finding.rule.verdict.is_none());
-        let files: Vec<_> = files.filter(|finding| !is_as_published(finding)).collect();
+        let files: Vec<_> = files.filter(|finding| !finding.is_as_published()).collect();
         for alike in files.chunk_by(|a, b| a.code() == b.code()) {
             // A few are told one by one: they may have nothing in common but the rule.
             let rows_of_rule =
@@ -184,12 +184,6 @@ fn row_text(mut text: String, place: Option<&str>, findings: &[&FindingWithRemed
     let (code, others) = codes.split_first().unwrap_or((&"", &[]));
     let others = if others.is_empty() { String::new() } else { format!("; also {}", others.join(", ")) };
     format!("{text} [{code}{others}]")
-}
-
-/// Whether the known contacts were published with the finding. This does not make the contacts right for a body of another mass.
-fn is_as_published(finding: &FindingWithRemedy) -> bool {
-    finding.code() == FindingCode::KnownContacts
-        || finding.is_published && finding.code() != FindingCode::ContactsOfAnotherMass
 }
 
 /// The first line of the text: the counts of findings and the effect of the commands, or that nothing is wrong.
@@ -303,7 +297,7 @@ impl LibraryTable {
 
     /// Adds the findings about the next model to the counts of the table.
     pub fn add(&mut self, found: &CheckResult) {
-        let shown: Vec<_> = found.findings.iter().filter(|finding| !is_as_published(finding)).collect();
+        let shown: Vec<_> = found.findings.iter().filter(|finding| !finding.is_as_published()).collect();
         // Findings are sorted, so that those of one code are together.
         for alike in shown.chunk_by(|a, b| (a.severity, a.code()) == (b.severity, b.code())) {
             let Some(first) = alike.first() else { continue };
