@@ -47,7 +47,7 @@ impl Scale {
         Self(values)
     }
 
-    /// The four numbers, by name.
+    /// Mass, radius, number of spheres and gravity, by name.
     pub fn values(&self) -> ScaleValues {
         self.0
     }

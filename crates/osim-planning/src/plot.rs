@@ -150,7 +150,7 @@ fn plotted_body(
     }
 }
 
-/// The name of the file without its folders, which would be too long for a legend.
+/// The name of the file without folders and ending, which would be too long for a legend.
 fn short_name(path: &Path) -> String {
     path.file_stem().map_or_else(|| path.display().to_string(), |name| name.to_string_lossy().into_owned())
 }

@@ -194,7 +194,8 @@ impl Class {
         }
     }
 
-    /// The names of all child elements in the order in which OpenSim writes them. A missing element is inserted in this order.
+    /// The names of all child elements of this class, in the order in which OpenSim writes them. A missing element is inserted in this
+    /// order.
     pub const fn element_order(self) -> &'static [&'static str] {
         match self {
             Self::HuntCrossleyForce => tags![

@@ -11,7 +11,7 @@ use crate::html::page_frame::command_line;
 /// Id and title of the section about findings.
 pub(super) const SECTION_HEAD: (&str, &str) = ("findings", "Findings");
 
-/// Adds the section about the findings of one model.
+/// Adds the section with the verdicts and findings of one model.
 pub(super) fn add_verdicts_and_findings(fragment: &mut Fragment, check: &CheckResult) {
     let findings: Vec<&FindingWithRemedy> = check.findings.iter().collect();
     let list = list_of_items(&items_of_findings(fragment, &findings, "", true));

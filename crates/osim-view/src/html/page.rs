@@ -178,7 +178,7 @@ impl<'d, S: DeferredText> Page<'d, S> {
         page.write_all(terminal_safe(&page_frame::purpose(self.head.verb, &self.head.call)).as_bytes())
     }
 
-    /// The class of the page in the style sheet.
+    /// The classes of the page in the style sheet: one model or a library, and whether its sections are open on paper.
     fn page_class(&self) -> &'static str {
         match (self.head.model.is_none(), self.counts.models > MOST_OPEN_ON_PAPER) {
             (false, _) => "one open-on-paper",

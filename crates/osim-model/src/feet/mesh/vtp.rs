@@ -289,7 +289,7 @@ fn decode_base64(bytes: impl Iterator<Item = u8>) -> Result<Vec<u8>, MeshFault> 
     Ok(all)
 }
 
-/// Decodes an array of points. `kind` is the number type that the array declares.
+/// Turns decoded bytes into points of three numbers each. `kind` is the number type that the array declares.
 pub(super) fn read_points(bytes: &[u8], kind: &str, coding: &Coding<'_>) -> Result<Vec<[f64; 3]>, MeshFault> {
     let values: Vec<f64> = match kind {
         "Float32" => {

@@ -164,7 +164,7 @@ pub enum Suspicion {
     /// `usual_m` is the radius in the file, else one that follows from the bones; `None` unless the caller gave the new radius as a length,
     /// perhaps in another unit.
     Radius { sphere: String, radius_m: f64, longest_m: f64, usual_m: Option<f64> },
-    /// Another doubt, with its text: what looks wrong, and what was probably meant.
+    /// Another doubt, with the text of the verb or check that found it: what looks wrong, and what was probably meant.
     Other { question: YesQuestion, text: Phrase },
 }
 
