@@ -5,8 +5,8 @@ function results = add(varargin)
 %   MODELS: Models (.osim), folders. Takes a text or a cell array of texts.
 %
 %   Options, each a NAME and a VALUE (target_mass and TargetMass are the same):
-%     from: Where the contacts come from: a model, or a preset with places: falisse2022, moco-2d-gait.
-%         Takes a text.
+%     from: Where the contacts come from: a model, or a preset with places: falisse2022, dhondt2024,
+%         moco-2d-gait. Takes a text.
 %     contacts: Where the spheres are: a table with name, body, x, y, z [m, in the body's frame] and
 %         perhaps radius, or MuSkeMo's export. Takes the name of a file, or a table, a struct array or a
 %         cell array.

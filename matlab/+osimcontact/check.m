@@ -51,8 +51,8 @@ function results = check(varargin)
 %         GNU Octave, which has no tables, a struct of columns.
 %
 %   RESULTS: an array of structs with the fields model, counts, verdicts, findings, commands,
-%   similarity. docs/reference/json.md and schemas/ say what each holds; what is missing is NaN, '' or
-%   empty.
+%   similarity, consistency. docs/reference/json.md and schemas/ say what each holds; what is missing is
+%   NaN, '' or empty.
 %
 %   Example, in the folder of the program's archive:
 %       models = osimcontact.check('fixtures/table1');

@@ -93,7 +93,7 @@ def add(
     source : path, bytes or opensim.Model
         Path of a model (.osim) or ForceSet (.xml), its bytes, a Result, or an `opensim.Model`.
     from_ : path, bytes or opensim.Model, optional
-        Where the contacts come from: a model, or a preset with places: falisse2022, moco-2d-gait.
+        Where the contacts come from: a model, or a preset with places: falisse2022, dhondt2024, moco-2d-gait.
     contacts : path, optional
         Where the spheres are: a table with name, body, x, y, z [m, in the body's frame] and perhaps radius, or
         MuSkeMo's export.
