@@ -79,6 +79,14 @@ fn a_simulated_walk_hardly_needs_a_correction() {
 }
 
 #[test]
+fn check_has_the_figures_of_the_correction() {
+    let Some(dir) = trial("figures of the correction", "example2DWalking", WALK) else { return };
+    let check = WALK_CALL.replace("motion 2D_gait.osim", "check 2D_gait.osim --motion") + " --format json";
+    let checked = json_object(&dir.run(&check).succeeded());
+    assert_eq!(checked["consistency"], consistency(&dir, WALK_CALL, ""));
+}
+
+#[test]
 fn a_floor_at_another_height_is_found() {
     for up_m in [-0.02, 0.03, -0.03, 0.06, -0.06] {
         let Some(dir) = trial("a floor at another height", "example2DWalking", WALK) else { return };
