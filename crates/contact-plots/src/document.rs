@@ -63,40 +63,6 @@ impl Paper {
 
 // The SVG document around what the plotting library drew: size on paper, title and description.
 
-/// The title of the document. If the figure has no title, the first sentence of its description, because every picture needs a
-/// name.
-fn name_of_document<'n>(title: &'n str, description: &'n str) -> &'n str {
-    if title.chars().any(|letter| !letter.is_ascii_whitespace()) {
-        return title;
-    }
-    description.split_inclusive(". ").next().unwrap_or_default().trim_end_matches(' ')
-}
-
-/// Gives the SVG document of the library its width in millimetres, a role, a title and a description.
-fn with_size_and_title(
-    drawn: &str,
-    (width, height): (u32, u32),
-    sheet: &Sheet<'_>,
-) -> Result<String, PlotError> {
-    let body = drawn
-        .find('>')
-        .and_then(|end| drawn.get(end + 1..))
-        .ok_or_else(|| PlotError::Drawing("the library wrote no document".to_owned()))?;
-    // An opacity of 1 is what SVG takes anyway; half the size of a figure is attributes.
-    let body = join_polylines(&body.replace(" opacity=\"1\"", "").replace(" \"/>", "\"/>"));
-    // As high as its units are wide: nothing is stretched.
-    let width_mm = sheet.paper.width_mm(sheet.width);
-    let height_mm = width_mm * f64::from(height) / f64::from(width.max(1));
-    Ok(format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" width=\"{}mm\" height=\"{}mm\" \
-         viewBox=\"0 0 {width} {height}\">\n<title>{}</title>\n<desc>{}</desc>{body}",
-        rounded_to_thousandth(width_mm),
-        rounded_to_thousandth(height_mm),
-        escaped(name_of_document(sheet.name, sheet.description)),
-        escaped(sheet.description),
-    ))
-}
-
 /// A number rounded to a thousandth, without zeros at its end.
 fn rounded_to_thousandth(mm: f64) -> f64 {
     (1000.0 * mm).round() / 1000.0
@@ -204,36 +170,48 @@ impl Title {
     }
 }
 
-/// The title, the description and the size of a document.
-pub(crate) struct Sheet<'s> {
-    /// The default width of the figure, if `paper` gives none.
-    pub(crate) width: Width,
-    pub(crate) paper: Paper,
-    /// The height of the layout, in points for letters of 7 points.
-    pub(crate) height_pt: f64,
-    pub(crate) title: &'s Title,
-    /// The title before it was broken into lines.
-    pub(crate) name: &'s str,
-    /// What the figure shows, for readers who cannot see it.
-    pub(crate) description: &'s str,
-}
-
 /// An SVG document with its title at the top; `draw` draws the content below the title.
+///
+/// `default` is the width of the figure if `paper` gives none, and `height_pt` the height of the layout, in points for letters of
+/// 7 points. `name` is the title before it was broken into lines. `description` says what the figure shows, for readers who cannot
+/// see it.
 pub(crate) fn document(
-    sheet: &Sheet<'_>,
+    (paper, default): (Paper, Width),
+    height_pt: f64,
+    title: &Title,
+    [name, description]: [&str; 2],
     draw: impl FnOnce(&Area<'_>) -> Result<(), PlotError>,
 ) -> Result<String, PlotError> {
-    let width_pt = sheet.paper.layout_pt(sheet.width);
-    let size = (units(width_pt).unsigned_abs(), units(sheet.height_pt).unsigned_abs());
+    let width_pt = paper.layout_pt(default);
+    let (width, height) = (units(width_pt).unsigned_abs(), units(height_pt).unsigned_abs());
     let mut drawn = String::new();
     {
-        let root = SVGBackend::with_string(&mut drawn, size).into_drawing_area();
+        let root = SVGBackend::with_string(&mut drawn, (width, height)).into_drawing_area();
         root.fill(&RGBColor(255, 255, 255)).map_err(PlotError::drawing)?;
-        sheet.title.draw(&root, width_pt)?;
+        title.draw(&root, width_pt)?;
         draw(&root)?;
         root.present().map_err(PlotError::drawing)?;
     }
-    with_size_and_title(&drawn, size, sheet)
+    let body = drawn
+        .find('>')
+        .and_then(|end| drawn.get(end + 1..))
+        .ok_or_else(|| PlotError::Drawing("the library wrote no document".to_owned()))?;
+    // An opacity of 1 is what SVG takes anyway; half the size of a figure is attributes.
+    let body = join_polylines(&body.replace(" opacity=\"1\"", "").replace(" \"/>", "\"/>"));
+    // As high as its units are wide: nothing is stretched.
+    let width_mm = paper.width_mm(default);
+    let height_mm = width_mm * f64::from(height) / f64::from(width.max(1));
+    // Every picture needs a name: if the figure has no title, the first sentence of its description.
+    let first_sentence = description.split_inclusive(". ").next().unwrap_or_default().trim_end_matches(' ');
+    let name = if name.trim_ascii().is_empty() { first_sentence } else { name };
+    Ok(format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" width=\"{}mm\" height=\"{}mm\" \
+         viewBox=\"0 0 {width} {height}\">\n<title>{}</title>\n<desc>{}</desc>{body}",
+        rounded_to_thousandth(width_mm),
+        rounded_to_thousandth(height_mm),
+        escaped(name),
+        escaped(description),
+    ))
 }
 
 #[cfg(test)]

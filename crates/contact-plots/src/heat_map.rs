@@ -6,7 +6,7 @@ use plotters::style::colors::colormaps::{ColorMap, ViridisRGB};
 use plotters::style::{Color, RGBColor};
 
 use crate::axis::{Axis, Scale, Ticks};
-use crate::document::{Area, MARGIN_PT, Paper, Sheet, Title, document, text_allowed_in_xml};
+use crate::document::{Area, MARGIN_PT, Paper, Title, document, text_allowed_in_xml};
 use crate::legend::{Legend, Sample, core_stroke, draw_cross, rim_stroke};
 use crate::panels_svg::{AXIS_NAME_DISTANCE_PT, TICK_LABELS_HEIGHT_PT, TICK_LENGTH_PT, draw_axes};
 use crate::style::{INK, TEXT_PT, stroke, text, units};
@@ -69,15 +69,8 @@ pub struct HeatMap {
 pub fn heat_map(map: &HeatMap, paper: Paper) -> Result<String, PlotError> {
     let layout = HeatLayout::of(map, paper.layout_pt(Width::Column))?;
     paper.check(Width::Column, layout.beside_pt + layout.bar_room_pt + 2.0 * MARGIN_PT + RIGHT_MARGIN_PT)?;
-    let sheet = Sheet {
-        width: Width::Column,
-        paper,
-        height_pt: layout.legend_top() + layout.legend.height_pt() + MARGIN_PT,
-        title: &layout.title,
-        name: &map.title,
-        description: &map.description,
-    };
-    document(&sheet, |root| {
+    let height_pt = layout.legend_top() + layout.legend.height_pt() + MARGIN_PT;
+    document((paper, Width::Column), height_pt, &layout.title, [&map.title, &map.description], |root| {
         layout.draw_cells(root, map)?;
         layout.draw_bar(root, map)?;
         layout.legend.draw(root, (MARGIN_PT + layout.beside_pt, layout.legend_top()))
@@ -183,14 +176,16 @@ impl HeatLayout {
     /// cover the excess.
     fn cells(&self, map: &HeatMap) -> Vec<Rectangle<(f64, f64)>> {
         let ((_, right), (_, top)) = (end_edges(&self.x_edges), end_edges(&self.y_edges));
+        let (low, high) = self.span;
         let mut cells = Vec::new();
         for (row, y) in map.values.iter().zip(self.y_edges.windows(2)) {
             for (value, x) in row.iter().zip(self.x_edges.windows(2)) {
                 let to = ((x[1] + 0.1 * (x[1] - x[0])).min(right), (y[1] + 0.1 * (y[1] - y[0])).min(top));
-                cells.push(Rectangle::new(
-                    [(x[0], y[0]), to],
-                    colour_of_value(&map.value_axis, self.span, *value).filled(),
-                ));
+                let colour = value.map_or(COLOUR_OF_EMPTY_CELLS, |value| {
+                    let place = map.value_axis.place(value).clamp(low, high);
+                    ViridisRGB.get_color_normalized(place, low, high)
+                });
+                cells.push(Rectangle::new([(x[0], y[0]), to], colour.filled()));
             }
         }
         cells
@@ -259,13 +254,6 @@ impl HeatLayout {
             .draw()
             .map_err(PlotError::drawing)
     }
-}
-
-/// The colour of a value; grey for `None`.
-fn colour_of_value(axis: &Axis, (low, high): (f64, f64), value: Option<f64>) -> RGBColor {
-    value.map_or(COLOUR_OF_EMPTY_CELLS, |value| {
-        ViridisRGB.get_color_normalized(axis.place(value).clamp(low, high), low, high)
-    })
 }
 
 /// The legend entries, only for elements that the map shows.

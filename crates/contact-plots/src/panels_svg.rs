@@ -8,7 +8,7 @@ use plotters::style::Color;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
 use crate::axis::{Axis, Scale, Ticks};
-use crate::document::{Area, MARGIN_PT, Paper, Sheet, Title, document, text_allowed_in_xml};
+use crate::document::{Area, MARGIN_PT, Paper, Title, document, text_allowed_in_xml};
 use crate::error::PlotError;
 use crate::figure::{self, Direction, Figure, Frame, Limit, Panel};
 use crate::legend::{LIMIT_ROW_PT, Legend, limit_rows};
@@ -42,20 +42,11 @@ pub fn figure(figure: &Figure, paper: Paper) -> Result<String, PlotError> {
     if figure.panels.is_empty() {
         return Err(PlotError::Empty("the figure has no panel"));
     }
-    for panel in &figure.panels {
-        panel.check()?;
-    }
+    figure.panels.iter().try_for_each(Panel::check)?;
     let layout = Layout::of(figure, paper.layout_pt(figure.width));
     paper.check(figure.width, layout.beside_pt + 2.0 * MARGIN_PT + RIGHT_MARGIN_PT)?;
-    let sheet = Sheet {
-        width: figure.width,
-        paper,
-        height_pt: layout.height_pt(),
-        title: &layout.title,
-        name: &figure.title,
-        description: &figure.description,
-    };
-    document(&sheet, |root| {
+    let height_pt = layout.legend_top_pt() + layout.legend.height_pt() + MARGIN_PT;
+    document((paper, figure.width), height_pt, &layout.title, [&figure.title, &figure.description], |root| {
         for (index, panel) in figure.panels.iter().enumerate() {
             layout.draw_panel(root, panel, index)?;
         }
@@ -117,10 +108,6 @@ impl Layout {
         self.title.bottom_pt() + float(self.rows) * (self.panel_pt.1 + PANEL_GAP_PT) - PANEL_GAP_PT
     }
 
-    fn height_pt(&self) -> f64 {
-        self.legend_top_pt() + self.legend.height_pt() + MARGIN_PT
-    }
-
     fn draw_panel(&self, root: &Area<'_>, panel: &Panel, index: usize) -> Result<(), PlotError> {
         let (width, height) = self.panel_pt;
         let left = MARGIN_PT + float(index % self.columns) * (width + PANEL_GAP_PT);
@@ -149,21 +136,16 @@ impl Layout {
     }
 
     fn draw_title(&self, area: &Area<'_>, panel: &Panel, index: usize) -> Result<(), PlotError> {
-        let shown = cut_to_width(
-            &text_allowed_in_xml(&panel.title),
-            TEXT_PT,
-            self.panel_pt.0 - self.beside_pt - 10.0,
-        );
+        let words = |line: &str, size: f64, at: (i32, i32)| {
+            let style = text(size).pos(Pos::new(HPos::Left, VPos::Top));
+            area.draw_text(line, &style, at).map_err(PlotError::drawing)
+        };
+        let room = self.panel_pt.0 - self.beside_pt - 10.0;
+        let shown = cut_to_width(&text_allowed_in_xml(&panel.title), TEXT_PT, room);
         if !shown.is_empty() {
-            let style = text(TEXT_PT).pos(Pos::new(HPos::Left, VPos::Top));
-            let at = (units(self.beside_pt), units(2.0));
-            area.draw_text(&shown, &style, at).map_err(PlotError::drawing)?;
+            words(&shown, TEXT_PT, (units(self.beside_pt), units(2.0)))?;
         }
-        if !self.letters {
-            return Ok(());
-        }
-        let style = text(TITLE_PT).pos(Pos::new(HPos::Left, VPos::Top));
-        area.draw_text(&letter(index), &style, (0, units(1.2))).map_err(PlotError::drawing)
+        if self.letters { words(&letter(index), TITLE_PT, (0, units(1.2))) } else { Ok(()) }
     }
 
     /// Draws the names of vertical limits above the panel.

@@ -8,7 +8,7 @@ use plotters::element::{Circle, DashedPathElement, PathElement, Polygon, Rectang
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use plotters::style::{Color, FontTransform, RGBColor};
 
-use crate::document::{Area, MARGIN_PT, Paper, Sheet, document, text_allowed_in_xml};
+use crate::document::{Area, MARGIN_PT, Paper, document, text_allowed_in_xml};
 use crate::error::PlotError;
 use crate::figure::Point;
 use crate::legend::{Legend, SAMPLE_PT, Sample};
@@ -28,15 +28,8 @@ pub fn scene(scene: &Scene, paper: Paper) -> Result<String, PlotError> {
     let named = entries.iter().map(|(_, name)| (Sample::Shade, name.clone())).collect();
     let layout = SceneLayout::of(scene, paper, |room| Legend::new(named, room));
     paper.check(layout.width, layout.beside + 2.0 * MARGIN_PT + RIGHT_PT)?;
-    let sheet = Sheet {
-        width: layout.width,
-        paper,
-        height_pt: layout.height_pt,
-        title: &layout.title,
-        name: &scene.title,
-        description: &scene.description,
-    };
-    document(&sheet, |root| {
+    let texts: [&str; 2] = [&scene.title, &scene.description];
+    document((paper, layout.width), layout.height_pt, &layout.title, texts, |root| {
         for block in &layout.blocks {
             draw_block(root, block)?;
         }
@@ -90,7 +83,11 @@ fn draw_view(root: &Area<'_>, view: &PlacedView<'_>, is_last: bool) -> Result<()
         draw_level_line(root, (view.left, view.left + view.width), view.at((0.0, level.at)).1, level.kind)?;
     }
     for ball in &view.view.balls {
-        draw_ball(root, view, ball)?;
+        let (centre, radius) = (view.at(ball.centre), view.length(ball.radius));
+        match ball.state {
+            State::Now => draw_circle(root, centre, radius, ball.misplaced)?,
+            State::Before => draw(root, &dashed_circle(centre, radius))?,
+        }
     }
     draw_axes(root, view, is_last)?;
     for name in &view.names {
@@ -101,7 +98,8 @@ fn draw_view(root: &Area<'_>, view: &PlacedView<'_>, is_last: bool) -> Result<()
         draw(root, &Circle::new(place(view.at(ball.centre)), units(0.9), colour.filled()))?;
     }
     for spot in &view.view.spots {
-        draw_spot(root, view.at(spot.at), spot.state)?;
+        let size = if spot.state == State::Now { SPOT_PT } else { 0.6 * SPOT_PT };
+        draw_square(root, view.at(spot.at), size)?;
     }
     view.names.iter().chain(&view.level_names).try_for_each(|name| draw_name(root, name))
 }
@@ -119,19 +117,6 @@ fn draw_outlines(root: &Area<'_>, view: &PlacedView<'_>) -> Result<(), PlotError
         }
     }
     Ok(())
-}
-
-fn draw_ball(root: &Area<'_>, view: &PlacedView<'_>, ball: &Ball) -> Result<(), PlotError> {
-    let (centre, radius) = (view.at(ball.centre), view.length(ball.radius));
-    if ball.state == State::Before {
-        return draw(root, &dashed_circle(centre, radius));
-    }
-    draw_circle(root, centre, radius, ball.misplaced)
-}
-
-fn draw_spot(root: &Area<'_>, at: Point, state: State) -> Result<(), PlotError> {
-    let size = if state == State::Now { SPOT_PT } else { 0.6 * SPOT_PT };
-    draw_square(root, at, size)
 }
 
 /// Draws the line from a name to its element, if they are apart.
