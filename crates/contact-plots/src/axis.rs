@@ -116,7 +116,11 @@ impl Ticks {
     pub(crate) fn logarithmic((low, high): (f64, f64)) -> Self {
         let (low, high) = (10_f64.powf(low), 10_f64.powf(high));
         let marks = log_ticks(low, high).into_iter().map(|(at, label)| (at.log10(), label));
-        let minor = minor_log_ticks(low, high).into_iter().map(f64::log10);
+        // 1 to 9 of each decade.
+        let minor = (decimal_exponent(low)..=decimal_exponent(high))
+            .flat_map(|power| (1..10).map(move |step| f64::from(step) * 10_f64.powi(power)))
+            .filter(|at| (low..=high).contains(at))
+            .map(f64::log10);
         Self { marks: marks.collect(), minor: minor.collect() }
     }
 
@@ -229,14 +233,6 @@ fn log_label(step: f64, power: i32) -> String {
         _ if step == 1.0 => power_of_ten(power),
         _ => format!("{step:.0}×{}", power_of_ten(power)),
     }
-}
-
-/// The unlabelled ticks of a logarithmic axis: 1 to 9 of each decade.
-fn minor_log_ticks(low: f64, high: f64) -> Vec<f64> {
-    (decimal_exponent(low)..=decimal_exponent(high))
-        .flat_map(|power| (1..10).map(move |step| f64::from(step) * 10_f64.powi(power)))
-        .filter(|at| (low..=high).contains(at))
-        .collect()
 }
 
 #[cfg(test)]

@@ -232,12 +232,6 @@ impl<'p> Frame<'p> {
         let at = axis.place(limit.at);
         (low..=high).contains(&at).then_some(at)
     }
-
-    /// Position of a vertical limit along the horizontal axis, as a share from 0 to 1; `None` if it is outside.
-    pub(crate) fn share_along_x(&self, limit: &Limit) -> Option<f64> {
-        let at = self.limit(limit).filter(|_| limit.direction == Direction::Vertical)?;
-        Some((at - self.x.0) / (self.x.1 - self.x.0))
-    }
 }
 
 // What of a line or an area is inside of a panel: lines and polygons cut at its borders.

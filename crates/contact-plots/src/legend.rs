@@ -190,8 +190,9 @@ pub(crate) type PlacedLimit<'p> = (&'p Limit, f64);
 pub(crate) fn limit_rows<'p>(panel: &'p Panel, frame: &Frame<'_>, plot_pt: f64) -> Vec<Vec<PlacedLimit<'p>>> {
     let mut rows: Vec<Vec<PlacedLimit<'p>>> = Vec::new();
     let named = panel.limits.iter().filter(|limit| !limit.label.is_empty());
-    for (limit, share) in named.filter_map(|limit| Some((limit, frame.share_along_x(limit)?))) {
-        let placed = (limit, plot_pt * share);
+    for limit in named.filter(|limit| limit.direction == Direction::Vertical) {
+        let Some(at) = frame.limit(limit) else { continue };
+        let placed = (limit, plot_pt * ((at - frame.x.0) / (frame.x.1 - frame.x.0)));
         match rows.iter_mut().find(|row| row.iter().all(|other| are_apart(*other, placed))) {
             Some(row) => row.push(placed),
             None => rows.push(vec![placed]),

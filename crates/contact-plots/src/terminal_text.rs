@@ -29,7 +29,8 @@ pub fn text(panel: &Panel, columns: usize, rows: usize) -> Result<String, PlotEr
     let y_ticks = panel.y.ticks(y, rows / 2 + 1);
     let longest = y_ticks.marks.iter().map(|(_, label)| label.chars().count()).max();
     let margin = longest.unwrap_or(0) + 1;
-    let mut dots = BrailleDots::new(columns.saturating_sub(margin + 1).max(1), rows.max(1));
+    let across = columns.saturating_sub(margin + 1).max(1);
+    let mut dots = BrailleDots { columns: across, letters: vec![0; across * rows.max(1)] };
     let place = |(x_value, y_value): Point| {
         let share = |value: f64, (low, high): (f64, f64)| (value - low) / (high - low);
         (
@@ -96,24 +97,16 @@ struct BrailleDots {
 }
 
 impl BrailleDots {
-    /// A picture without dots, of this many letters.
-    fn new(columns: usize, rows: usize) -> Self {
-        Self { columns, letters: vec![0; columns * rows] }
-    }
-
     /// Draws a line between two points, in dots.
     fn draw_line(&mut self, from: Point, to: Point) {
         let (dx, dy) = (to.0 - from.0, to.1 - from.1);
         let steps = rounded_index(dx.abs().max(dy.abs())).max(1);
         for step in 0..=steps {
             let part = float(step) / float(steps);
-            self.set_dot(rounded_index(from.0 + part * dx), rounded_index(from.1 + part * dy));
-        }
-    }
-
-    fn set_dot(&mut self, x: usize, y: usize) {
-        if let Some(letter) = self.letters.get_mut(y / DOTS_DOWN * self.columns + x / DOTS_ACROSS) {
-            *letter |= DOT_BITS[y % DOTS_DOWN][x % DOTS_ACROSS];
+            let (x, y) = (rounded_index(from.0 + part * dx), rounded_index(from.1 + part * dy));
+            if let Some(letter) = self.letters.get_mut(y / DOTS_DOWN * self.columns + x / DOTS_ACROSS) {
+                *letter |= DOT_BITS[y % DOTS_DOWN][x % DOTS_ACROSS];
+            }
         }
     }
 

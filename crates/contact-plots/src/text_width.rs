@@ -27,22 +27,18 @@ pub(crate) fn width_with_reserve_pt(text: &str, size_pt: f64) -> f64 {
 }
 
 fn letter_width(letter: char) -> f64 {
+    /// The built-in font, which is read when the first text is measured.
+    static PARSED_FONT: OnceLock<Option<Face<'static>>> = OnceLock::new();
     // A combining mark takes no room.
     if ('\u{300}'..='\u{36f}').contains(&letter) {
         return 0.0;
     }
     let advance = || {
-        let face = parsed_font()?;
+        let face = PARSED_FONT.get_or_init(|| Face::parse(FONT, 0).ok()).as_ref()?;
         let advance = face.glyph_hor_advance(face.glyph_index(letter)?)?;
         Some(f64::from(advance) / f64::from(face.units_per_em()))
     };
     advance().unwrap_or(WIDEST_LETTER)
-}
-
-/// The built-in font, which is read when the first text is measured.
-fn parsed_font() -> Option<&'static Face<'static>> {
-    static PARSED_FONT: OnceLock<Option<Face<'static>>> = OnceLock::new();
-    PARSED_FONT.get_or_init(|| Face::parse(FONT, 0).ok()).as_ref()
 }
 
 /// The text, cut and ended with an ellipsis if it is wider than `most_pt`.

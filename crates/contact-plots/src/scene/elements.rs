@@ -136,10 +136,7 @@ impl Scene {
         if self.blocks.is_empty() || self.blocks.iter().any(|block| block.views.is_empty()) {
             return Err(PlotError::Empty("the figure has no view"));
         }
-        for view in self.blocks.iter().flat_map(|block| &block.views) {
-            view.check()?;
-        }
-        Ok(())
+        self.blocks.iter().flat_map(|block| &block.views).try_for_each(View::check)
     }
 }
 
@@ -150,13 +147,9 @@ impl View {
         let wrong_spot = self.spots.iter().find(|spot| !finite(spot.at));
         let named = wrong_ball.map(|ball| &ball.name).or(wrong_spot.map(|spot| &spot.name));
         let outlines = self.outlines.iter().flat_map(|outline| &outline.points).all(|point| finite(*point));
-        match named {
-            Some(name) => Err(PlotError::NotFinite(name.clone())),
-            None if !outlines || self.levels.iter().any(|level| !level.at.is_finite()) => {
-                Err(PlotError::NotFinite(self.title.clone()))
-            }
-            None => Ok(()),
-        }
+        let of_view = !outlines || self.levels.iter().any(|level| !level.at.is_finite());
+        let wrong = named.or(of_view.then_some(&self.title));
+        wrong.map_or(Ok(()), |name| Err(PlotError::NotFinite(name.clone())))
     }
 
     /// Corners of boxes around all elements of the view.

@@ -144,7 +144,7 @@ pub(super) fn place_names(
     let key = |index: usize| names.get(index).map_or((0.0, 0.0), |name| name.at);
     order.sort_by(|&a, &b| key(a).0.total_cmp(&key(b).0).then(key(a).1.total_cmp(&key(b).1)));
     let mut places: Vec<Option<Rect>> = vec![None; names.len()];
-    for round in 0..PLACING_ROUNDS {
+    for _ in 0..PLACING_ROUNDS {
         for &index in &order {
             let Some(name) = names.get(index) else { continue };
             let others: Vec<(Point, Rect)> = names
@@ -154,49 +154,45 @@ pub(super) fn place_names(
                 .filter(|(other, _)| *other != index)
                 .filter_map(|(_, (other, place))| Some((other.at, (*place)?)))
                 .collect();
-            let best = PlaceSearch { name, span: (left, right), obstacles, others: &others }.cheapest_place();
+            let best = name.cheapest_place((left, right), obstacles, &others);
             // What is found later is kept only where it is free: it always is.
             if let Some(place) = places.get_mut(index) {
                 *place = best.or(*place);
             }
-        }
-        if round > 0 && names.len() < 2 {
-            break;
         }
     }
     let fallback = |name: &NameToPlace| Rect::around(name.at, name.size);
     names.iter().zip(places).map(|(name, place)| place.unwrap_or_else(|| fallback(name))).collect()
 }
 
-/// The search for the best place of one name in a picture.
-struct PlaceSearch<'s> {
-    name: &'s NameToPlace,
-    span: (f64, f64),
-    obstacles: &'s Obstacles,
-    others: &'s [(Point, Rect)],
-}
-
-impl PlaceSearch<'_> {
-    /// The free place with the least cost: distance from the point, and everything that the name or its line would hide.
-    fn cheapest_place(&self) -> Option<Rect> {
-        let (width, height) = self.name.size;
+impl NameToPlace {
+    /// The free place with the least cost: distance from the point, and everything that the name or its line would hide. The
+    /// place is between the edges `left` and `right` of the view; `others` are the points and the boxes of other names.
+    fn cheapest_place(
+        &self,
+        (left, right): (f64, f64),
+        obstacles: &Obstacles,
+        others: &[(Point, Rect)],
+    ) -> Option<Rect> {
+        let (width, height) = self.size;
         let mut best: Option<(f64, Rect)> = None;
         for step in 0..MOST_DISTANCE_STEPS {
             let distance = LEAST_DISTANCE_PT + DISTANCE_STEP_PT * f64::from(step);
             if best.is_some_and(|(cost, _)| distance >= cost) {
                 break;
             }
-            for (rank, (x, y)) in LABEL_DIRECTIONS.into_iter().enumerate() {
-                let middle = (
-                    self.name.at.0 + x * (distance + width / 2.0),
-                    self.name.at.1 + y * (distance + height / 2.0),
-                );
-                let place = self.moved_into_view(Rect::around(middle, self.name.size));
-                if self.is_taken(&place) {
+            for (rank, (x, y)) in (0_u32..).zip(LABEL_DIRECTIONS) {
+                let along = (x * (distance + width / 2.0), y * (distance + height / 2.0));
+                let place = Rect::around((self.at.0 + along.0, self.at.1 + along.1), self.size);
+                // Moved sideways so that it is between the edges of the view.
+                let by = (left - place.left).max(0.0) - (place.right - right).max(0.0);
+                let place = Rect { left: place.left + by, right: place.right + by, ..place };
+                let mut texts = others.iter().map(|(_, other)| other).chain(&obstacles.boxes);
+                if texts.any(|other| place.overlaps(other, LABEL_GAP_PT)) {
                     continue;
                 }
                 // Among equal places the first direction wins.
-                let cost = distance + self.cost(&place) + 0.01 * f64::from(u32::try_from(rank).unwrap_or(0));
+                let cost = distance + self.cost(&place, obstacles, others) + 0.01 * f64::from(rank);
                 if best.is_none_or(|(known, _)| cost < known) {
                     best = Some((cost, place));
                 }
@@ -205,39 +201,27 @@ impl PlaceSearch<'_> {
         best.map(|(_, place)| place)
     }
 
-    /// The box, moved sideways so that it is between the left and right edge of the view.
-    fn moved_into_view(&self, place: Rect) -> Rect {
-        let by = (self.span.0 - place.left).max(0.0) - (place.right - self.span.1).max(0.0);
-        Rect { left: place.left + by, right: place.right + by, ..place }
-    }
-
-    /// Whether another name or an obstacle is at this place.
-    fn is_taken(&self, place: &Rect) -> bool {
-        let names = self.others.iter().map(|(_, other)| other).chain(&self.obstacles.boxes);
-        names.into_iter().any(|other| place.overlaps(other, LABEL_GAP_PT))
-    }
-
     /// Cost of a place, besides its distance: everything that the name or its line would hide or cross.
-    fn cost(&self, place: &Rect) -> f64 {
-        let end = place.nearest(self.name.at);
-        let others = |point: &&Point| **point != self.name.at;
-        let points = self.obstacles.points.iter().filter(others).map(|&point| {
+    fn cost(&self, place: &Rect, obstacles: &Obstacles, others: &[(Point, Rect)]) -> f64 {
+        let end = place.nearest(self.at);
+        let other_points = obstacles.points.iter().filter(|point| **point != self.at);
+        let points = other_points.map(|&point| {
             if place.contains_point(point, 2.0) {
                 COST_OF_POINT
-            } else if distance_to_line(point, self.name.at, end) < 2.5 {
+            } else if distance_to_line(point, self.at, end) < 2.5 {
                 COST_OF_LEADER_NEAR_POINT
             } else {
                 0.0
             }
         });
-        let over_own_point = if place.contains_point(self.name.at, 1.5) { COST_OF_POINT } else { 0.0 };
-        let circles = self.obstacles.circles.iter().filter(|circle| circle_crosses_box(place, circle));
-        let levels = self.obstacles.levels.iter().filter(|&&y| place.contains_point((place.left, y), 0.5));
-        let names = self.others.iter().map(|(at, other)| {
+        let over_own_point = if place.contains_point(self.at, 1.5) { COST_OF_POINT } else { 0.0 };
+        let circles = obstacles.circles.iter().filter(|circle| circle_crosses_box(place, circle));
+        let levels = obstacles.levels.iter().filter(|&&y| place.contains_point((place.left, y), 0.5));
+        let names = others.iter().map(|(at, other)| {
             let their_end = other.nearest(*at);
             let crossing =
-                if segments_cross((self.name.at, end), (*at, their_end)) { COST_OF_CROSSING } else { 0.0 };
-            let over = other.is_crossed_by(self.name.at, end) || place.is_crossed_by(*at, their_end);
+                if segments_cross((self.at, end), (*at, their_end)) { COST_OF_CROSSING } else { 0.0 };
+            let over = other.is_crossed_by(self.at, end) || place.is_crossed_by(*at, their_end);
             crossing + if over { COST_OF_OVERLAP_WITH_NAME } else { 0.0 }
         });
         over_own_point

@@ -96,27 +96,20 @@ impl PlacedView<'_> {
         round_ticks((a.min(b), a.max(b)), self.height)
     }
 
-    /// The view with its names moved from a place at (0, 0) to `(left, top)`, in points.
-    fn moved_to(mut self, left: f64, top: f64) -> Self {
+    /// Moves all names to the right and down, in points.
+    fn move_names(&mut self, to_right: f64, down: f64) {
         for name in self.names.iter_mut().chain(&mut self.level_names) {
-            name.at = (name.at.0 + left, name.at.1 + top);
+            name.at = (name.at.0 + to_right, name.at.1 + down);
             let Rect { left: l, top: t, right: r, bottom: b } = name.place;
-            name.place = Rect { left: l + left, right: r + left, top: t + top, bottom: b + top };
+            name.place = Rect { left: l + to_right, top: t + down, right: r + to_right, bottom: b + down };
         }
-        (self.left, self.top) = (left, top);
-        self
     }
 
-    /// The view with more room above and below, in points.
-    fn with_more_room(mut self, above: f64, below: f64) -> Self {
-        for name in self.names.iter_mut().chain(&mut self.level_names) {
-            name.at.1 += above;
-            name.place.top += above;
-            name.place.bottom += above;
-        }
+    /// Gives the view more room above and below, in points.
+    fn add_room(&mut self, above: f64, below: f64) {
+        self.move_names(0.0, above);
         self.zero += above;
         self.height += above + below;
-        self
     }
 }
 
@@ -160,7 +153,11 @@ impl<'s> SceneLayout<'s> {
         let crowded = scene.blocks.iter().any(|block| count_block_names(block) > MOST_NAMES_IN_COLUMN);
         let page = if scene.blocks.len() > 1 || crowded { Width::Page } else { Width::Column };
         let width = paper.layout_pt(page);
-        let beside = AXIS_NAME_DISTANCE_PT + 3.0 * TICK_LENGTH_PT + longest_tick(scene);
+        // Room for the widest tick label of vertical axes; the axes may become longer when names are placed.
+        let corners = scene.blocks.iter().flat_map(|block| &block.views).flat_map(View::corners);
+        let largest = corners.fold(100.0_f64, |most, (_, y)| most.max(y.abs()));
+        let longest_tick = width_pt(&format!("-{:.0}", 1.3 * largest), TEXT_PT);
+        let beside = AXIS_NAME_DISTANCE_PT + 3.0 * TICK_LENGTH_PT + longest_tick;
         let column =
             |columns: usize| (width - 2.0 * MARGIN_PT - BLOCK_GAP_PT * float(columns - 1)) / float(columns);
         let is_wide = column(2) - beside - RIGHT_PT >= SIDE_BY_SIDE_PT;
@@ -207,13 +204,6 @@ impl<'s> SceneLayout<'s> {
 fn count_names(view: &View) -> usize {
     let balls = view.balls.iter().filter(|ball| !ball.name.is_empty()).count();
     balls + view.spots.iter().filter(|spot| !spot.name.is_empty()).count()
-}
-
-/// The width of the widest tick label of vertical axes, pt; the axes may become longer when names are placed.
-fn longest_tick(scene: &Scene) -> f64 {
-    let corners = scene.blocks.iter().flat_map(|block| &block.views).flat_map(View::corners);
-    let largest = corners.fold(100.0_f64, |most, (_, y)| most.max(y.abs()));
-    width_pt(&format!("-{:.0}", 1.3 * largest), TEXT_PT)
 }
 
 fn span_of_values(values: impl Iterator<Item = f64>) -> (f64, f64) {
@@ -285,7 +275,8 @@ fn place_view<'s>(view: &'s View, block: &Block, scale: f64, (width, beside): (f
     let boxes = placed.names.iter().chain(&placed.level_names).map(|name| name.place);
     let (top, bottom) =
         span_of_values(ends.into_iter().chain(boxes.flat_map(|place| [place.top, place.bottom])));
-    placed.with_more_room(VIEW_PADDING_PT - top, bottom + VIEW_PADDING_PT)
+    placed.add_room(VIEW_PADDING_PT - top, bottom + VIEW_PADDING_PT);
+    placed
 }
 
 /// The texts at level lines: for the ground on the left, for the lowest point on the right, so that texts at close lines do not
@@ -350,17 +341,13 @@ fn align_axes(mut row: Vec<Vec<PlacedView<'_>>>) -> Vec<Vec<PlacedView<'_>>> {
         let below = views.iter().map(|view| view.height - view.zero).fold(f64::NEG_INFINITY, f64::max);
         let same_scale = views.windows(2).all(|pair| pair[0].scale == pair[1].scale);
         let on_one_axis = same_scale && above + below <= 1.3 * highest;
-        for views in &mut row {
-            if index >= views.len() {
-                continue;
-            }
-            let view = views.remove(index);
+        for view in row.iter_mut().filter_map(|views| views.get_mut(index)) {
             let room = if on_one_axis {
                 (above - view.zero, below - (view.height - view.zero))
             } else {
                 ((highest - view.height) / 2.0, (highest - view.height) / 2.0)
             };
-            views.insert(index, view.with_more_room(room.0, room.1));
+            view.add_room(room.0, room.1);
         }
     }
     row
@@ -377,12 +364,14 @@ fn stack_views<'s>(
     let mut at = top + BLOCK_TITLE_PT;
     let last = views.len().saturating_sub(1);
     let mut placed = Vec::new();
-    for (index, view) in views.into_iter().enumerate() {
+    for (index, mut view) in views.into_iter().enumerate() {
         at += LINE_PT;
-        let height = view.height;
-        placed.push(view.moved_to(left + beside, at));
+        (view.left, view.top) = (left + beside, at);
+        view.move_names(view.left, view.top);
         // Only the last view has numbers below it: all share one horizontal axis.
-        at += height + if index == last { TICK_LABELS_HEIGHT_PT } else { TICK_LENGTH_PT + VIEW_PADDING_PT };
+        let below = if index == last { TICK_LABELS_HEIGHT_PT } else { TICK_LENGTH_PT + VIEW_PADDING_PT };
+        at += view.height + below;
+        placed.push(view);
     }
     let text = |remark: &String| lines(&text_allowed_in_xml(remark), TEXT_PT, column - beside);
     let remarks = remarks.iter().flat_map(text).collect();
