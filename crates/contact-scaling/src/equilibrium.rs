@@ -163,10 +163,14 @@ fn first_equilibrium(spheres: &[RaisedSpheres], load_n: f64, hertz: f64) -> Resu
         };
         near(to).map(most).sum::<f64>() * (1.0 + 1e-9) < load_n
     };
+    // The heights at which spheres begin to touch, each once, from the lowest to the highest.
+    let mut onsets: Vec<f64> = spheres.iter().map(|s| s.height_m).collect();
+    onsets.sort_by(f64::total_cmp);
+    onsets.dedup();
     // How many steps in which nothing can carry the load are taken at once: fewer the nearer the load is.
     let mut steps_at_once;
     // Short steps through the onset of each sphere, where its force can rise and fall; elsewhere forces only rise.
-    for onset in contact_onsets(spheres) {
+    for onset in onsets {
         below = below.max(onset - 20.0 * step);
         steps_at_once = 20;
         // A transition shorter than a number can say at this height is none.
@@ -241,14 +245,6 @@ fn force_free_depth(sphere: &RaisedSpheres) -> f64 {
         Law::HuntCrossley(_) => sphere.height_m,
         Law::Smooth(law) => sphere.height_m - 20.0 / law.smoothing().hertz_smoothing,
     }
-}
-
-/// The heights (m) at which spheres begin to touch, each once, from the lowest to the highest.
-fn contact_onsets(spheres: &[RaisedSpheres]) -> Vec<f64> {
-    let mut heights: Vec<f64> = spheres.iter().map(|s| s.height_m).collect();
-    heights.sort_by(f64::total_cmp);
-    heights.dedup();
-    heights
 }
 
 /// The smallest 1/bd of the smoothed laws, in m: over this length the force can change; `None` without smoothed laws.

@@ -170,39 +170,30 @@ impl KnownQuantities {
         let (f, r, x) = (self.load_per_sphere_n, self.radius_m, self.relative_indentation);
         let (e, k) = (self.composite_modulus_n_m2, self.stiffness_n_m);
         let power = |x: f64| x * x.sqrt();
-        let (radius_m, relative_indentation, composite_modulus_n_m2) = match (f, r, x, e, k) {
+        let with_modulus = |r: f64, x: f64, k: f64| (r, x, k / (2.0 * r * x.sqrt()));
+        let with_indentation = |r: f64, e: f64, k: f64| {
+            let root = k / (2.0 * r * e);
+            (r, root * root, e)
+        };
+        let (r, x, e) = match (f, r, x, e, k) {
             (Some(f), Some(r), Some(x), ..) => (r, x, 0.75 * f / (r * r * power(x))),
             (Some(f), Some(r), _, Some(e), _) => (r, design::relative_depth(f, e, r), e),
-            (Some(f), Some(r), _, _, Some(k)) => {
-                let x = 1.5 * f / (k * r);
-                (r, x, k / (2.0 * r * x.sqrt()))
-            }
+            (Some(f), Some(r), _, _, Some(k)) => with_modulus(r, 1.5 * f / (k * r), k),
             (Some(f), _, Some(x), Some(e), _) => ((0.75 * f / (e * power(x))).sqrt(), x, e),
-            (Some(f), _, Some(x), _, Some(k)) => {
-                let r = 1.5 * f / (k * x);
-                (r, x, k / (2.0 * r * x.sqrt()))
-            }
-            (Some(f), _, _, Some(e), Some(k)) => {
-                // k³/f = 6 R E², from (B.2) cubed over (3).
-                let r = k / e * (k / e) * (k / f) / 6.0;
-                let root = k / (2.0 * r * e);
-                (r, root * root, e)
-            }
+            (Some(f), _, Some(x), _, Some(k)) => with_modulus(1.5 * f / (k * x), x, k),
+            // k³/f = 6 R E², from (B.2) cubed over (3).
+            (Some(f), _, _, Some(e), Some(k)) => with_indentation(k / e * (k / e) * (k / f) / 6.0, e, k),
             (_, Some(r), Some(x), Some(e), _) => (r, x, e),
-            (_, Some(r), Some(x), _, Some(k)) => (r, x, k / (2.0 * r * x.sqrt())),
-            (_, Some(r), _, Some(e), Some(k)) => {
-                let root = k / (2.0 * r * e);
-                (r, root * root, e)
-            }
+            (_, Some(r), Some(x), _, Some(k)) => with_modulus(r, x, k),
+            (_, Some(r), _, Some(e), Some(k)) => with_indentation(r, e, k),
             (_, _, Some(x), Some(e), Some(k)) => (k / (2.0 * e * x.sqrt()), x, e),
             _ => return None,
         };
-        let (r, x, e) = (radius_m, relative_indentation, composite_modulus_n_m2);
         Some(Sizing {
             load_per_sphere_n: f.unwrap_or(4.0 / 3.0 * (r * r) * e * power(x)),
-            radius_m,
-            relative_indentation,
-            composite_modulus_n_m2,
+            radius_m: r,
+            relative_indentation: x,
+            composite_modulus_n_m2: e,
             stiffness_n_m: 2.0 * r * e * x.sqrt(),
         })
     }

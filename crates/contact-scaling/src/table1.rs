@@ -21,12 +21,6 @@ pub const DROP_HEIGHT_RADII: f64 = 0.25;
 /// Duration of the drop tests, s (Section 3).
 pub const DURATION_S: f64 = 2.0;
 
-/// The rows of the table.
-fn rows_of_file() -> impl Iterator<Item = &'static str> {
-    // The first two lines say what it is, and name the columns.
-    include_str!("table1/printed.csv").lines().skip(2)
-}
-
 /// A computed column of Table 1; the other columns (mass, spheres, radius) are given.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[non_exhaustive]
@@ -154,7 +148,8 @@ pub struct Animal {
 
 /// The rows of the table, in order; the first is the human from which all others are scaled.
 pub fn animals() -> impl Iterator<Item = Animal> {
-    rows_of_file().filter_map(Animal::of_line)
+    // The first two lines say what the table is, and name the columns.
+    include_str!("table1/printed.csv").lines().skip(2).filter_map(Animal::of_line)
 }
 
 /// The animals with the name `taxon`, in the order of the table.

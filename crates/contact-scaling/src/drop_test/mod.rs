@@ -18,7 +18,7 @@
 mod integration;
 
 use crate::error::{require_non_negative, require_positive, require_range};
-use crate::{Contact, DomainError, Law, Scale, Spheres, equilibrium, restitution};
+use crate::{Contact, Law, Scale, Spheres, equilibrium, restitution};
 pub use integration::{DropError, DropValues};
 use integration::{FallingBody, RecordedDrop};
 
@@ -46,9 +46,15 @@ impl DropTest {
         require_non_negative("height", values.height_m)?;
         require_positive("duration", values.duration_s)?;
         require_range(values.samples >= 2, "number of samples", values.samples as f64, "at least 2")?;
-        let spheres = group_by_law(spheres)?;
-        require_range(!spheres.is_empty(), "number of spheres", 0.0, "at least 1")?;
-        Ok(Self { values, spheres })
+        let mut groups: Vec<Spheres> = Vec::new();
+        for one in spheres {
+            match groups.iter_mut().find(|group| group.law() == one.law()) {
+                Some(group) => *group = Spheres::new(*one.law(), group.count() + one.count())?,
+                None => groups.push(one),
+            }
+        }
+        require_range(!groups.is_empty(), "number of spheres", 0.0, "at least 1")?;
+        Ok(Self { values, spheres: groups })
     }
 
     /// A drop test of a body of scale `scale` on n equal spheres, from a height in sphere radii (0.25 in the
@@ -102,18 +108,6 @@ impl DropTest {
     fn body(&self) -> FallingBody<'_> {
         FallingBody::new(&self.spheres, self.values.mass_kg, self.values.gravity_m_s2)
     }
-}
-
-/// Makes one entry of all spheres with the same law.
-fn group_by_law(spheres: impl IntoIterator<Item = Spheres>) -> Result<Vec<Spheres>, DomainError> {
-    let mut groups: Vec<Spheres> = Vec::new();
-    for one in spheres {
-        match groups.iter_mut().find(|group| group.law() == one.law()) {
-            Some(group) => *group = Spheres::new(*one.law(), group.count() + one.count())?,
-            None => groups.push(one),
-        }
-    }
-    Ok(groups)
 }
 
 /// The state at one moment of a drop.

@@ -119,7 +119,7 @@ const SCANNED_ONSETS: u32 = 64;
 
 /// The least-squares parameters with a fitted onset.
 pub(super) fn solve_with_onset(model: &FitModel, points: &[Point]) -> Result<Parameters, FitError> {
-    let (low, high) = value_range(points, |p| p.indentation);
+    let (low, high) = value_range(points.iter().map(|p| p.indentation));
     let start = best_of_tried_onsets(model, points, low, high)?;
     let force = points.iter().fold(0.0, |most: f64, p| most.max(p.force.abs()));
     let length = high - low;
@@ -171,10 +171,9 @@ fn best_of_tried_onsets(
     best.map(|(_, fitted)| fitted)
 }
 
-fn value_range(points: &[Point], value: impl Fn(&Point) -> f64) -> (f64, f64) {
-    points
-        .iter()
-        .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), p| (low.min(value(p)), high.max(value(p))))
+/// The smallest and the largest of the values.
+pub(super) fn value_range(values: impl Iterator<Item = f64>) -> (f64, f64) {
+    values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)))
 }
 
 /// The problem in the form of the library `rmpfit`; the unknowns are scaled to be near 1.

@@ -52,26 +52,22 @@ pub fn fit(measurement: &Measurement<'_>, values: &FitValues) -> Result<Fit, Fit
     if parameters.modulus <= 0.0 || !parameters.modulus.is_finite() {
         return Err(FitError::NoStiffness { value: parameters.modulus });
     }
-    refuse_single_indentation(&points, parameters.onset)?;
-    fit_result(&model, &points, &parameters, radius)
-}
-
-/// Refuses a measurement at a single indentation, because every law goes through one point.
-fn refuse_single_indentation(points: &[Point], onset: f64) -> Result<(), FitError> {
-    let touching = points.iter().map(|p| p.indentation).filter(|&indentation| indentation > onset);
-    let (least, most) =
-        touching.fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), x| (x.min(least), x.max(most)));
-    if most - least <= EQUAL_INDENTATION_TOLERANCE * (most - onset) {
+    // Every law goes through one point: a measurement at a single indentation says nothing.
+    let touching = points.iter().map(|p| p.indentation).filter(|&x| x > parameters.onset);
+    let (least, most) = least_squares::value_range(touching);
+    if most - least <= EQUAL_INDENTATION_TOLERANCE * (most - parameters.onset) {
         return Err(FitError::OneIndentation { indentation_m: most });
     }
-    Ok(())
+    fit_result(&model, &points, &parameters, radius)
 }
 
 fn fit_result(model: &FitModel, points: &[Point], fitted: &Parameters, radius: f64) -> Result<Fit, FitError> {
     let residuals_n: Vec<f64> = points.iter().map(|p| p.force - model.force(fitted, p)).collect();
     let degrees_of_freedom = points.len() - model.names().len();
     let square: f64 = residuals_n.iter().map(|r| r * r).sum();
-    let r_squared = r_squared(points, square);
+    let mean = points.iter().map(|p| p.force).sum::<f64>() / points.len() as f64;
+    let total: f64 = points.iter().map(|p| (p.force - mean) * (p.force - mean)).sum();
+    let r_squared = 1.0 - square / total;
     if !(r_squared.is_finite() && r_squared > 0.0) {
         return Err(FitError::NoLaw { r_squared });
     }
@@ -120,11 +116,4 @@ fn fit_result(model: &FitModel, points: &[Point], fitted: &Parameters, radius: f
             .with_dissipation
             .then(|| restitution.is_some_and(|c_r| limits::RESTITUTION.admits(c_r))),
     })
-}
-
-/// R² = 1 − Σ residual² / Σ (force − mean)².
-fn r_squared(points: &[Point], square: f64) -> f64 {
-    let mean = points.iter().map(|p| p.force).sum::<f64>() / points.len() as f64;
-    let total: f64 = points.iter().map(|p| (p.force - mean) * (p.force - mean)).sum();
-    1.0 - square / total
 }
