@@ -5,41 +5,23 @@ use std::collections::BTreeMap;
 use foldhash::{HashMap, HashMapExt, HashSet};
 use osim_model::{DVec3, Model, Side, without_side};
 
-/// Sizes of bones, by factors of their meshes and distances between their joints.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct BoneSizes<'m> {
-    model: &'m Model,
+/// The size of the body `left` over the size of `right`, along x, y and z: by their meshes, else by the distances between their joints;
+/// `None` if neither is known.
+pub(crate) fn bone_ratios(model: &Model, left: &str, right: &str) -> Option<[f64; 3]> {
+    ratios_of_meshes(model, left, right).or_else(|| {
+        let distances = model.joint_distances();
+        let ratio = distances.longest_in_body(left)? / distances.longest_in_body(right)?;
+        (ratio.is_finite() && ratio > 0.0).then_some([ratio; 3])
+    })
 }
 
-impl<'m> BoneSizes<'m> {
-    pub(crate) fn of(model: &'m Model) -> Self {
-        Self { model }
-    }
-
-    /// The length of the longest bone of the limb to which `body` belongs, m; `None` if no body of the limb has two joints.
-    pub(crate) fn longest_bone_of_limb_m(&self, body: &str) -> Option<f64> {
-        self.model.joint_distances().longest_in_limb(body)
-    }
-
-    /// The size of the body `left` over the size of `right`, along x, y and z: by their meshes, else by the distances between their joints;
-    /// `None` if neither is known.
-    pub(crate) fn ratios(&self, left: &str, right: &str) -> Option<[f64; 3]> {
-        self.ratios_of_meshes(left, right).or_else(|| {
-            let distances = self.model.joint_distances();
-            let ratio = distances.longest_in_body(left)? / distances.longest_in_body(right)?;
-            (ratio.is_finite() && ratio > 0.0).then_some([ratio; 3])
-        })
-    }
-
-    /// The ratios of the scale factors of meshes of the same bone; `None` if no bone is in both bodies, or the ratios of several bones
-    /// differ.
-    fn ratios_of_meshes(&self, left: &str, right: &str) -> Option<[f64; 3]> {
-        let meshes = self.model.mesh_factors();
-        let (left, right) = (meshes.get(left)?, meshes.get(right)?);
-        let mut ratios = same_bones(left, right).into_iter().filter_map(|(l, r)| left_over_right(l, r));
-        let first = ratios.next()?;
-        ratios.all(|other| other.into_iter().zip(first).all(|(a, b)| is_close(a, b))).then_some(first)
-    }
+/// The ratios of the scale factors of meshes of the same bone; `None` if no bone is in both bodies, or the ratios of several bones differ.
+fn ratios_of_meshes(model: &Model, left: &str, right: &str) -> Option<[f64; 3]> {
+    let meshes = model.mesh_factors();
+    let (left, right) = (meshes.get(left)?, meshes.get(right)?);
+    let mut ratios = same_bones(left, right).into_iter().filter_map(|(l, r)| left_over_right(l, r));
+    let first = ratios.next()?;
+    ratios.all(|other| other.into_iter().zip(first).all(|(a, b)| is_close(a, b))).then_some(first)
 }
 
 /// The scale factors of a left and a right mesh.
@@ -160,13 +142,6 @@ struct LeftAndRightBody {
     landmarks: Vec<(DVec3, DVec3)>,
 }
 
-impl LeftAndRightBody {
-    /// The names of the right and the left body, if the model has both.
-    fn left_and_right(&self) -> Option<(&str, &str)> {
-        Some((self.right.as_deref()?, self.left.as_deref()?))
-    }
-}
-
 impl BodyPairs {
     /// Pairs the moving bodies of `model` whose names differ only in the side.
     pub(crate) fn of(model: &Model) -> Self {
@@ -198,12 +173,12 @@ impl BodyPairs {
     }
 
     /// The pair to which `body` belongs; `None` if `body` has no counterpart.
-    pub(crate) fn pair(&self, body: &str, bones: &BoneSizes<'_>) -> Option<BodyPair<'_>> {
+    pub(crate) fn pair(&self, body: &str, model: &Model) -> Option<BodyPair<'_>> {
         let bodies = self.by_name.get(&without_side(body))?;
-        let (right, left) = bodies.left_and_right()?;
-        let bone_m =
-            [right, left].into_iter().filter_map(|body| bones.longest_bone_of_limb_m(body)).reduce(f64::max);
-        let sizes = bones.ratios(left, right).map(DVec3::from);
+        let (right, left) = (bodies.right.as_deref()?, bodies.left.as_deref()?);
+        let bones_m = [right, left].map(|body| model.joint_distances().longest_in_limb(body));
+        let bone_m = bones_m.into_iter().flatten().reduce(f64::max);
+        let sizes = bone_ratios(model, left, right).map(DVec3::from);
         let pair = BodyPair { right, left, signs: Some(self.common_mirror), sizes, bone_m };
         let Some(bone_m) = bone_m else { return Some(pair) };
         Some(BodyPair { signs: self.signs(&pair, &bodies.landmarks, bone_m), ..pair })
@@ -285,21 +260,12 @@ pub(super) fn pair_nearest(images: &[[DVec3; 2]], others: &[DVec3], within_m: f6
         near.extend(apart.filter(|(apart, _, _)| *apart <= within_m));
     }
     near.sort_by(|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))));
-    keep_first_pairs(near.into_iter().map(|(_, image, other)| (image, other)), images.len(), others.len())
-}
-
-/// Keeps the pairs whose two places are in no earlier pair.
-fn keep_first_pairs(
-    pairs: impl Iterator<Item = (usize, usize)>,
-    images: usize,
-    others: usize,
-) -> Vec<(usize, usize)> {
-    let (mut image_used, mut other_used) = (vec![false; images], vec![false; others]);
+    // A pair is kept if its two places are in no earlier pair.
+    let (mut image_used, mut other_used) = (vec![false; images.len()], vec![false; others.len()]);
     let mut chosen = Vec::new();
-    for (image, other) in pairs {
-        let (Some(one), Some(two)) = (image_used.get_mut(image), other_used.get_mut(other)) else { continue };
-        if !*one && !*two {
-            (*one, *two) = (true, true);
+    for (_, image, other) in near {
+        if !image_used[image] && !other_used[other] {
+            (image_used[image], other_used[other]) = (true, true);
             chosen.push((image, other));
         }
     }

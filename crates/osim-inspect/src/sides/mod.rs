@@ -11,7 +11,7 @@ use foldhash::{HashMap, HashMapExt};
 use osim_model::messages::{readable, shown};
 use osim_model::{DVec3, Force, ForceId, Model, ParameterSet, Property, SetId, Side, Sphere, Value};
 
-use crate::sides::mirror::{BodyPairs, BoneSizes, is_close};
+use crate::sides::mirror::{BodyPairs, bone_ratios, is_close};
 use crate::sides::pairs::{SetsBySphere, SpherePairs, UnpairedSphere};
 pub(crate) use pairs::{SAME_PLACE_OF_BONE, SideSphere, SpherePair, place_key};
 
@@ -20,9 +20,9 @@ pub struct BothSides<'m> {
     pub(crate) model: &'m Model,
     forces_by_path: HashMap<&'m str, &'m Force>,
     sets_by_sphere: SetsBySphere<'m>,
-    bones: BoneSizes<'m>,
     bodies: &'m BodyPairs,
-    usual: UsualNumbers<'m>,
+    /// How often each number occurs in the contacts; they are counted when the first difference is found.
+    counts: OnceCell<NumberCounts>,
     pub(crate) pairs: Vec<SpherePair<'m>>,
     /// Spheres without a counterpart, if both sides have spheres; else empty.
     pub(crate) unpaired: Vec<UnpairedSphere<'m>>,
@@ -36,13 +36,12 @@ impl<'m> BothSides<'m> {
     /// Pairs the spheres and the parameter sets of both sides of `model`.
     pub fn of(model: &'m Model) -> Self {
         let sets_by_sphere = SetsBySphere::of(model);
-        let bones = BoneSizes::of(model);
         let spheres = sets_by_sphere.spheres_on_sides(model);
         let has_spheres_on = |side| spheres.iter().any(|sphere| sphere.side == side);
         let bodies = model.derived_from_bodies(BodyPairs::of);
         let (mut paired, mut one_side) = (SpherePairs::default(), Vec::new());
         match (has_spheres_on(Side::Right), has_spheres_on(Side::Left)) {
-            (true, true) => paired = SpherePairs::of(spheres, bodies, &bones),
+            (true, true) => paired = SpherePairs::of(spheres, bodies, model),
             (true, false) if bodies.has_side(Side::Left) => one_side = spheres,
             (false, true) if bodies.has_side(Side::Right) => one_side = spheres,
             _ => {}
@@ -52,19 +51,8 @@ impl<'m> BothSides<'m> {
         for force in model.forces() {
             forces_by_path.entry(force.path.as_str()).or_insert(force);
         }
-        let (usual, SpherePairs { pairs, unpaired }) = (UsualNumbers::of(model), paired);
-        Self {
-            model,
-            forces_by_path,
-            sets_by_sphere,
-            bones,
-            bodies,
-            usual,
-            pairs,
-            unpaired,
-            one_side,
-            set_pairs,
-        }
+        let (SpherePairs { pairs, unpaired }, counts) = (paired, OnceCell::new());
+        Self { model, forces_by_path, sets_by_sphere, bodies, counts, pairs, unpaired, one_side, set_pairs }
     }
 
     /// The force with this component path, if its spheres are on a side.
@@ -90,7 +78,7 @@ impl<'m> BothSides<'m> {
         let spheres = sets.flat_map(|pair| &pair.spheres);
         let mut pairs = spheres.filter_map(|&index| self.pairs.get(index));
         pairs.any(|pair| {
-            let ratios = self.bones.ratios(pair.left.body, pair.right.body);
+            let ratios = bone_ratios(self.model, pair.left.body, pair.right.body);
             ratios.is_some_and(|ratios| ratios.into_iter().any(|ratio| !is_close(ratio, 1.0)))
         })
     }
@@ -126,9 +114,9 @@ impl<'m> BothSides<'m> {
     /// The differences between the radii and parameters of two sets that are counterparts.
     fn differences_of(&self, pair: &SetPair<'_>) -> Vec<SideDifference> {
         let spheres = pair.spheres.iter().filter_map(|&index| self.pairs.get(index));
-        let radii = spheres.filter_map(|spheres| radius_difference(spheres, &self.bones, &self.usual));
+        let radii = spheres.filter_map(|spheres| radius_difference(spheres, self));
         // Radii come first, because other numbers may differ for that reason.
-        radii.chain(pair.differing_values(self.model, &self.usual)).collect()
+        radii.chain(pair.differing_values(self)).collect()
     }
 
     /// Whether a force that presses `sphere` on a floor is switched on.
@@ -143,12 +131,17 @@ impl<'m> BothSides<'m> {
 
     /// The length of the longest bone of the limb to which `body` belongs, m; `None` if no body of the limb has two joints.
     pub(crate) fn longest_bone_of_limb_m(&self, body: &str) -> Option<f64> {
-        self.bones.longest_bone_of_limb_m(body)
+        self.model.joint_distances().longest_in_limb(body)
     }
 
     /// The axis (0, 1 or 2) of the frame of `body` that leads sideways; `None` if no body of the other side is its mirror image in one axis.
     pub(crate) fn sideways_axis(&self, body: &str) -> Option<usize> {
-        self.bodies.pair(body, &self.bones)?.reversed_axis()
+        self.bodies.pair(body, self.model)?.reversed_axis()
+    }
+
+    /// The numbers that most contacts of the model have. They show which of two sides is wrong.
+    fn usual(&self) -> &NumberCounts {
+        self.counts.get_or_init(|| NumberCounts::of(self.model))
     }
 }
 
@@ -188,13 +181,6 @@ pub(crate) struct SideDifference {
     pub odd: Option<Side>,
 }
 
-/// The numbers that most contacts of a model have. They show which of two sides is wrong.
-pub(crate) struct UsualNumbers<'m> {
-    model: &'m Model,
-    /// The counts of all numbers; they are made when the first difference is found.
-    counts: OnceCell<NumberCounts>,
-}
-
 /// How often each number, and each property, occurs in the contacts of a model.
 #[derive(Debug, Default)]
 struct NumberCounts {
@@ -223,19 +209,12 @@ impl NumberCounts {
         *self.by_number.entry((value.property, value.number.to_bits())).or_default() += 1;
         *self.by_property.entry(value.property).or_default() += 1;
     }
-}
-
-impl<'m> UsualNumbers<'m> {
-    pub(crate) fn of(model: &'m Model) -> Self {
-        Self { model, counts: OnceCell::new() }
-    }
 
     /// How many other contacts have the number of `value`, if they are the majority of all contacts besides the two that are compared;
     /// else `None`. The other of the two is then the odd one.
     fn majority_with(&self, value: &Value) -> Option<usize> {
-        let counts = self.counts.get_or_init(|| NumberCounts::of(self.model));
-        let count = counts.by_number.get(&(value.property, value.number.to_bits()))?.saturating_sub(1);
-        let others = counts.by_property.get(&value.property)?.saturating_sub(2);
+        let count = self.by_number.get(&(value.property, value.number.to_bits()))?.saturating_sub(1);
+        let others = self.by_property.get(&value.property)?.saturating_sub(2);
         (2 * count > others).then_some(count)
     }
 
@@ -269,8 +248,8 @@ pub(crate) struct SetPair<'m> {
 
 impl SetPair<'_> {
     /// The numbers of the left set that are not equal to those of the right set, and do not follow from different radii.
-    pub(crate) fn differing_values(&self, model: &Model, usual: &UsualNumbers<'_>) -> Vec<SideDifference> {
-        let ratios = self.radius_ratios(model);
+    fn differing_values(&self, sides: &BothSides<'_>) -> Vec<SideDifference> {
+        let ratios = self.radius_ratios(sides.model);
         let right =
             |property: Property| values_of_set(self.right.0, self.right.1).find(|r| r.property == property);
         let both = values_of_set(self.left.0, self.left.1).filter_map(|l| Some((l, right(l.property)?)));
@@ -283,11 +262,8 @@ impl SetPair<'_> {
         let difference = |(l, r): (&Value, &Value)| {
             let what = format!("{} is {} and {}", l.property, l.number, r.number);
             let times = (l.number / r.number).max(r.number / l.number);
-            usual.difference(
-                (l, r),
-                &what,
-                l.property == Property::TransitionVelocity && times <= SMALL_VELOCITY_RATIO,
-            )
+            let is_small = l.property == Property::TransitionVelocity && times <= SMALL_VELOCITY_RATIO;
+            sides.usual().difference((l, r), &what, is_small)
         };
         differing.map(difference).collect()
     }
@@ -322,20 +298,15 @@ fn radius_factor(property: Property, ratios: &Ratios) -> Option<f64> {
 }
 
 /// The difference between the radii of a pair, unless the radii are equal or differ as the bones do.
-fn radius_difference(
-    pair: &SpherePair<'_>,
-    bones: &BoneSizes<'_>,
-    usual: &UsualNumbers<'_>,
-) -> Option<SideDifference> {
+fn radius_difference(pair: &SpherePair<'_>, sides: &BothSides<'_>) -> Option<SideDifference> {
     let (left, right) = (pair.left.sphere, pair.right.sphere);
     let ratio = left.radius.number / right.radius.number;
     let is_alike = left.radii_m.is_some() == right.radii_m.is_some();
     if !ratio.is_finite() || is_close(ratio, 1.0) || !is_alike {
         return None;
     }
-    let bone_ratios = bones.ratios(pair.left.body, pair.right.body);
-    let from_bones =
-        bone_ratios.map(|[x, y, z]| distance_from_nearest(ratio, &[libm::cbrt(x * y * z), x, y, z]));
+    let ratios = bone_ratios(sides.model, pair.left.body, pair.right.body);
+    let from_bones = ratios.map(|[x, y, z]| distance_from_nearest(ratio, &[libm::cbrt(x * y * z), x, y, z]));
     if from_bones.is_some_and(|apart| apart <= FOLLOWS_BONES_TOLERANCE) {
         return None;
     }
@@ -344,7 +315,7 @@ fn radius_difference(
     let describe =
         |sphere: &Sphere| format!("{} m for {}", readable(sphere.radius.number), shown(&sphere.name));
     let what = format!("radius is {} and {}", describe(left), describe(right));
-    Some(usual.difference((&left.radius, &right.radius), &what, is_small))
+    Some(sides.usual().difference((&left.radius, &right.radius), &what, is_small))
 }
 
 /// The relative distance of `ratio` from the nearest number in `expected`.

@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use foldhash::{HashMap, HashMapExt, HashSet, HashSetExt};
 use osim_model::{DVec3, Force, Model, ParameterSet, Side, Sphere, SphereId, without_side};
 
-use crate::sides::mirror::{BodyPair, BodyPairs, BoneSizes, pair_nearest};
+use crate::sides::mirror::{BodyPair, BodyPairs, pair_nearest};
 
 /// Two spheres are at the same place if one is at most this part of the limb's longest bone from the mirror image of the other. Published
 /// pairs are at most 0.023 apart.
@@ -40,7 +40,7 @@ pub(crate) struct SpherePairs<'m> {
 
 impl<'m> SpherePairs<'m> {
     /// Pairs the `spheres` of both sides: on bodies that are counterparts first, then across bodies.
-    pub(crate) fn of(spheres: Vec<SideSphere<'m>>, bodies: &'m BodyPairs, bones: &BoneSizes<'_>) -> Self {
+    pub(crate) fn of(spheres: Vec<SideSphere<'m>>, bodies: &'m BodyPairs, model: &Model) -> Self {
         let mut result = Self::default();
         let mut left_over = Vec::new();
         let mut by_body: BTreeMap<String, [Vec<SideSphere<'m>>; 2]> = BTreeMap::new();
@@ -50,7 +50,7 @@ impl<'m> SpherePairs<'m> {
         }
         for (_, [right, left]) in by_body {
             let first = right.first().or(left.first());
-            let Some(pair) = first.and_then(|sphere| bodies.pair(sphere.body, bones)) else {
+            let Some(pair) = first.and_then(|sphere| bodies.pair(sphere.body, model)) else {
                 let unpaired = |sphere| UnpairedSphere { sphere, other_body: None };
                 result.unpaired.extend(right.into_iter().chain(left).map(unpaired));
                 continue;
