@@ -112,21 +112,15 @@ impl ContactBody {
         let law = Law::of(&preset.contact, scale.radius_m())?;
         let on_limbs = scale.sphere_count() * stance.limbs.unwrap_or(1.0);
         let sphere_count = stance.spheres.unwrap_or(on_limbs);
-        let weight = CarriedWeight {
+        let weight = Ok(CarriedWeight {
             mass_kg: masses.model_kg.unwrap_or(scale.mass_kg()),
             gravity_m_s2: stance.gravity_m_s2.unwrap_or(scale.gravity_m_s2()),
             sphere_count,
             spheres: vec![Spheres::new(law, sphere_count)?],
-        };
-        let kind = SphereKind::new(scale.radius_m(), preset.contact);
+        });
+        let kinds = vec![SphereKind::new(scale.radius_m(), preset.contact)];
         let contacts_mass_kg = Ok(masses.contacts_mass_kg.unwrap_or(scale.mass_kg()));
-        Ok(Self {
-            name: preset.name.to_string(),
-            kinds: vec![kind],
-            weight: Ok(weight),
-            contacts_mass_kg,
-            mismatch: None,
-        })
+        Ok(Self { name: preset.name.to_string(), kinds, weight, contacts_mass_kg, mismatch: None })
     }
 
     /// Contacts without a load, for plots that need none.
@@ -165,15 +159,10 @@ impl ContactBody {
     /// # Errors
     /// What it weighs is not known, or a quantity is outside its domain.
     pub fn dimensionless(&self) -> Result<Vec<(&SphereKind, DimensionlessContact)>, Failure> {
-        let weight = self.weight()?;
+        let &CarriedWeight { mass_kg, gravity_m_s2, sphere_count, .. } = self.weight()?;
         let dimensionless = |kind| {
             let &SphereKind { radius_m, ref contact, .. } = kind;
-            let scale = Scale::new(ScaleValues {
-                mass_kg: weight.mass_kg,
-                radius_m,
-                sphere_count: weight.sphere_count,
-                gravity_m_s2: weight.gravity_m_s2,
-            });
+            let scale = Scale::new(ScaleValues { mass_kg, radius_m, sphere_count, gravity_m_s2 });
             let scale = scale.map_err(|error| self.failure(&error))?;
             Ok((kind, DimensionlessContact::of(contact, &scale)))
         };
@@ -265,12 +254,9 @@ pub fn standing_spheres(model: &Model, forces: &[ForceId], count: f64) -> Result
     if loaded.is_empty() {
         return Err(fault_of_no_force());
     }
-    let mut spheres = Vec::new();
-    for one in loaded {
-        let law = Law::of(&one.contact, one.radius_m).map_err(Fault::new)?;
-        spheres.push(Spheres::new(law, count / chosen).map_err(Fault::new)?);
-    }
-    Ok(spheres)
+    let share = count / chosen;
+    let spheres = loaded.iter().map(|one| Spheres::new(Law::of(&one.contact, one.radius_m)?, share));
+    spheres.collect::<Result<_, DomainError>>().map_err(Fault::new)
 }
 
 // Names for spheres that are drawn as one curve.
@@ -349,10 +335,8 @@ impl ReferenceState {
             stance: Stance { spheres, gravity_m_s2, ..Stance::default() },
             ..InspectOptions::default()
         };
-        let body = ContactBody::from_inspected_model(name.clone(), &open.model, &options, &|fault| {
-            open.failure(fault)
-        })
-        .ok();
+        let failed = |fault| open.failure(fault);
+        let body = ContactBody::from_inspected_model(name.clone(), &open.model, &options, &failed).ok();
         let inspected = options.inspect_for_rules(open.name(), &open.model);
         let findings = check_without_remedies(&options, &open.model, &inspected);
         let digest = Some(short_digest(open.model.document().bytes()));

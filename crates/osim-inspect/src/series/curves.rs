@@ -204,16 +204,11 @@ pub fn hysteresis(
 pub fn default_duration(bodies: &[ContactBody]) -> Result<f64, Failure> {
     let mut longest = 0.0_f64;
     for body in bodies {
-        longest = longest.max(DROP_TIME_UNITS * time_unit(body)?);
+        let from_ground = drop_test(body, 0.0, 1.0, 2)?;
+        let time_unit_s = (from_ground.reference_radius_m() / body.weight()?.gravity_m_s2).sqrt();
+        longest = longest.max(DROP_TIME_UNITS * time_unit_s);
     }
     Ok(longest)
-}
-
-/// √(R/g) of a body, the unit of time of its fall, s.
-fn time_unit(body: &ContactBody) -> Result<f64, Failure> {
-    let weight = body.weight()?;
-    let from_ground = drop_test(body, 0.0, 1.0, 2)?;
-    Ok((from_ground.reference_radius_m() / weight.gravity_m_s2).sqrt())
 }
 
 /// Force over body weight against time in a drop.
@@ -265,15 +260,9 @@ fn drop_test(
     duration_s: f64,
     samples: usize,
 ) -> Result<DropTest, Failure> {
-    let weight = body.weight()?;
-    let values = DropValues {
-        mass_kg: weight.mass_kg,
-        gravity_m_s2: weight.gravity_m_s2,
-        height_m,
-        duration_s,
-        samples,
-    };
-    DropTest::new(weight.spheres.iter().copied(), values).map_err(|error| body.failure(&error))
+    let &CarriedWeight { mass_kg, gravity_m_s2, ref spheres, .. } = body.weight()?;
+    let values = DropValues { mass_kg, gravity_m_s2, height_m, duration_s, samples };
+    DropTest::new(spheres.iter().copied(), values).map_err(|error| body.failure(&error))
 }
 
 /// The contact law of one kind of sphere.

@@ -6,7 +6,7 @@ use osim_model::files::Failure;
 use osim_model::messages::{Input, phrase};
 use osim_requests::{DropHeight, PlotRequest, Positive, QuantityChoice};
 
-use crate::series::{ContactBody, Point, SphereKind, impact_speed};
+use crate::series::{CarriedWeight, ContactBody, Point, SphereKind, impact_speed};
 
 /// The quantity that a heat map shows, and the fall from which it is computed.
 #[derive(Debug, Clone, PartialEq)]
@@ -149,30 +149,20 @@ struct HeatSweep<'s> {
 
 impl<'s> HeatSweep<'s> {
     fn new(body: &'s ContactBody, kind: &'s SphereKind, request: &HeatRequest) -> Result<Self, Failure> {
-        let weight = body.weight()?;
+        let &CarriedWeight { mass_kg, gravity_m_s2, sphere_count, .. } = body.weight()?;
         let height_m = request.height.metres(kind.radius_m);
         let impact_speed_m_s = impact_speed(body, kind, request.height)?;
         // Until well after the impact, even of a soft contact.
-        let until =
-            10.0 * (kind.radius_m / weight.gravity_m_s2).sqrt() + impact_speed_m_s / weight.gravity_m_s2;
-        let values = DropValues {
-            mass_kg: weight.mass_kg,
-            gravity_m_s2: weight.gravity_m_s2,
-            height_m,
-            duration_s: request.duration_s.unwrap_or(until),
-            samples: 2,
-        };
-        let sphere_count = weight.sphere_count;
+        let until = 10.0 * (kind.radius_m / gravity_m_s2).sqrt() + impact_speed_m_s / gravity_m_s2;
+        let duration_s = request.duration_s.unwrap_or(until);
+        let values = DropValues { mass_kg, gravity_m_s2, height_m, duration_s, samples: 2 };
         Ok(Self { kind, quantity: request.quantity, sphere_count, values, impact_speed_m_s })
     }
 
     /// The spheres of the body with another stiffness and dissipation.
-    fn spheres_with(&self, stiffness: f64, dissipation: f64) -> Result<Spheres, DomainError> {
-        let values = ContactValues {
-            plane_strain_modulus: stiffness,
-            dissipation,
-            smoothing: self.kind.contact.smoothing(),
-        };
+    fn spheres_with(&self, plane_strain_modulus: f64, dissipation: f64) -> Result<Spheres, DomainError> {
+        let smoothing = self.kind.contact.smoothing();
+        let values = ContactValues { plane_strain_modulus, dissipation, smoothing };
         Spheres::new(Law::of(&Contact::new(values)?, self.kind.radius_m)?, self.sphere_count)
     }
 
