@@ -56,13 +56,8 @@ impl KnownContacts {
     /// # Ok::<(), osim_model::Fault>(())
     /// ```
     pub fn find(model: &Model, forces: &[ForceId], count: Option<f64>, mass_kg: Option<f64>) -> Option<Self> {
-        Self::find_similar_entry(
-            &contacts_of_sets(model, forces)?,
-            count,
-            mass_kg,
-            entries(),
-            &ComparedNumbers::EXACT,
-        )
+        let contacts = contacts_of_sets(model, forces)?;
+        Self::find_similar_entry(&contacts, count, mass_kg, entries(), &ComparedNumbers::EXACT)
     }
 
     /// The severity that the table gives a finding about `forces`, if their contacts are not known but the numbers on which the finding
@@ -180,6 +175,7 @@ fn contact_of_set(model: &Model, spheres: &[LoadedSphere]) -> Option<ContactOfSe
 }
 
 /// The numbers of a contact that are compared with published ones, and the tolerance.
+#[derive(Default)]
 struct ComparedNumbers {
     tolerance: f64,
     stiffness: bool,
@@ -202,13 +198,7 @@ impl ComparedNumbers {
     /// The numbers of a model that must be near the published ones, so that its finding was published with them: the numbers on which the
     /// finding depends, besides the weight. `None` if it also depends on anything else.
     fn for_finding(code: FindingCode) -> Option<Self> {
-        let radii = Self {
-            tolerance: SIMILAR_TOLERANCE,
-            stiffness: false,
-            dissipation: false,
-            smoothing: [false; 3],
-            friction: false,
-        };
+        let radii = Self { tolerance: SIMILAR_TOLERANCE, ..Self::default() };
         Some(match code {
             FindingCode::SunkIn | FindingCode::BeyondHertz => Self { stiffness: true, ..radii },
             FindingCode::BeyondHuntCrossley => Self { dissipation: true, ..radii },
@@ -229,6 +219,22 @@ impl ComparedNumbers {
 }
 
 impl KnownContactsEntry {
+    /// The mass of the published body that carries the contacts, kg.
+    fn body_kg(&self) -> f64 {
+        self.body_kg.unwrap_or(self.made_for_kg)
+    }
+
+    /// The number of spheres on one limb.
+    fn spheres(&self) -> usize {
+        self.contacts.iter().map(|contact| contact.spheres).sum()
+    }
+
+    /// The severity that a finding has with these contacts, if it differs from the severity of its rule.
+    fn severity(&self, code: FindingCode) -> Option<Severity> {
+        let level = self.severity.get(code.as_str())?;
+        Severity::ALL.iter().copied().find(|severity| severity.as_str() == level)
+    }
+
     /// Whether `contacts` are the contacts of this entry, scaled to `mass` (kg), if `count` of their spheres share the weight. If they are
     /// `isometric`, the radii follow the mass, too.
     fn matches_contacts(
@@ -283,22 +289,18 @@ impl KnownContactsEntry {
             (None, _) => true,
             (Some(_), None) => false,
         };
+        // The coefficients of friction do not depend on size; the two speeds may stay, or follow the radius.
+        let [r#static, dynamic, viscous] = self.friction;
+        let has_speeds = [1.0, radius.sqrt()].into_iter().any(|speed| {
+            close(contact.friction[2], viscous / speed)
+                && close(contact.transition_velocity, self.transition_velocity * speed)
+        });
+        let has_friction =
+            close(contact.friction[0], r#static) && close(contact.friction[1], dynamic) && has_speeds;
         (!likeness.stiffness || close(contact.composite_modulus, modulus))
             && (!likeness.dissipation || close(contact.dissipation, published.dissipation / radius.sqrt()))
             && has_smoothing
-            && (!likeness.friction || self.matches_friction(contact, radius, likeness))
-    }
-
-    /// Whether the friction is the published one. The coefficients do not depend on size; the two speeds may stay, or follow the radius.
-    fn matches_friction(&self, contact: &ContactOfSet, radius: f64, likeness: &ComparedNumbers) -> bool {
-        let close = |value, expected| likeness.is_close(value, expected);
-        let [r#static, dynamic, viscous] = self.friction;
-        let velocity = self.transition_velocity;
-        let speeds = [1.0, radius.sqrt()].into_iter().any(|speed| {
-            close(contact.friction[2], viscous / speed)
-                && close(contact.transition_velocity, velocity * speed)
-        });
-        close(contact.friction[0], r#static) && close(contact.friction[1], dynamic) && speeds
+            && (!likeness.friction || has_friction)
     }
 }
 
@@ -335,24 +337,6 @@ struct PublishedContact {
     pub dissipation: f64,
     /// `constant_contact_force`, `hertz_smoothing` and `hunt_crossley_smoothing`, if the class has them.
     pub smoothing: Option<[f64; 3]>,
-}
-
-impl KnownContactsEntry {
-    /// The mass of the published body that carries the contacts, kg.
-    fn body_kg(&self) -> f64 {
-        self.body_kg.unwrap_or(self.made_for_kg)
-    }
-
-    /// The number of spheres on one limb.
-    fn spheres(&self) -> usize {
-        self.contacts.iter().map(|contact| contact.spheres).sum()
-    }
-
-    /// The severity that a finding has with these contacts, if it differs from the severity of its rule.
-    fn severity(&self, code: FindingCode) -> Option<Severity> {
-        let level = self.severity.get(code.as_str())?;
-        Severity::ALL.iter().copied().find(|severity| severity.as_str() == level)
-    }
 }
 
 /// All entries of the table of known contacts.

@@ -136,17 +136,12 @@ struct SphereCentre<'m> {
 }
 
 /// The sphere centres of a model, with their digests. A digest is computed when a layout is compared by digest.
+#[derive(Default)]
 struct DigestedCentres<'m> {
     list: Vec<SphereCentre<'m>>,
     digest: OnceCell<String>,
     /// The centres divided by the growth of their bones, and the digest of these; one entry for each published size that was compared.
     rescaled: RefCell<Vec<(Vec<SphereCentre<'m>>, String)>>,
-}
-
-impl<'m> From<Vec<SphereCentre<'m>>> for DigestedCentres<'m> {
-    fn from(list: Vec<SphereCentre<'m>>) -> Self {
-        Self { list, digest: OnceCell::new(), rescaled: RefCell::default() }
-    }
 }
 
 /// How the bones of a model fit the published layout whose places its spheres have.
@@ -189,7 +184,7 @@ impl LayoutCache {
 
 /// The published layout that the centres in `list` have, and how the bones fit it.
 fn match_layout(list: Vec<SphereCentre<'_>>, bones: &BodyBones) -> Option<LayoutMatch> {
-    let centres = DigestedCentres::from(list);
+    let centres = DigestedCentres { list, ..DigestedCentres::default() };
     let Some(layout) = published_layouts().iter().find(|layout| layout.has_places(&centres)) else {
         let followed = published_layouts().iter().any(|layout| layout.matches_grown_bones(&centres, bones));
         return followed.then_some(LayoutMatch::AsPublished);
@@ -236,7 +231,9 @@ fn find_mirrored_layout(model: &Model, bones: &BodyBones) -> Option<&'static str
 
 /// The title of the published layout whose mirror image the centres in `list` are.
 fn match_mirrored_layout(list: Vec<SphereCentre<'_>>, bones: &BodyBones) -> Option<&'static str> {
-    let mirrored = list.iter().map(SphereCentre::mirrored).collect();
+    // Each place in the frame of the other foot.
+    let on_other_foot = |&SphereCentre { body, at_m: [x, y, z] }| SphereCentre { body, at_m: [x, y, -z] };
+    let mirrored = list.iter().map(on_other_foot).collect();
     if layout_with_centres(list, bones).is_some() {
         return None;
     }
@@ -245,7 +242,7 @@ fn match_mirrored_layout(list: Vec<SphereCentre<'_>>, bones: &BodyBones) -> Opti
 
 /// The layout with these centres, in a published size or in the size of the bones.
 fn layout_with_centres(list: Vec<SphereCentre<'_>>, bones: &BodyBones) -> Option<&'static PublishedLayout> {
-    let centres = DigestedCentres::from(list);
+    let centres = DigestedCentres { list, ..DigestedCentres::default() };
     published_layouts()
         .iter()
         .find(|layout| layout.has_places(&centres) || layout.matches_grown_bones(&centres, bones))
@@ -307,14 +304,6 @@ impl<'m> DigestedCentres<'m> {
         let is_equal = digest == expected;
         computed.push((rescaled.to_vec(), digest));
         is_equal
-    }
-}
-
-impl SphereCentre<'_> {
-    /// Gives the mirrored place on the other foot, in the frame of that foot, by which feet with each other's published places are found.
-    fn mirrored(&self) -> Self {
-        let [x, y, z] = self.at_m;
-        Self { at_m: [x, y, -z], ..*self }
     }
 }
 

@@ -76,7 +76,17 @@ pub(crate) fn reaches(model: &Model, bones: &BodyBones) -> Vec<Reach> {
     for id in model.loaded_spheres(&model.force_ids()) {
         let (Some(sphere), Some(centre)) = (model.sphere(id), model.centre_m(id)) else { continue };
         let Some(body) = sphere.body.as_deref().filter(|body| bones.is_foot(body)) else { continue };
-        reaches.extend(reach_towards_joint(bones, body, id, centre, sphere.radius.number));
+        // Of several next joints, the one that is farthest from the body's origin. A joint nearer than a radius does not show how long
+        // the bone is.
+        let radius_m = sphere.radius.number;
+        let next = bones.farthest_joint(body).filter(|(squared, _)| *squared > radius_m * radius_m);
+        reaches.extend(next.map(|(squared, joint)| Reach {
+            sphere: id,
+            value: centre.dot(joint.in_parent_m) / squared,
+            towards: joint.name.clone(),
+            measure: ReachMeasure::TowardsJoint,
+            most: if joint.is_weld { f64::INFINITY } else { LARGEST_TOWARDS_JOINT },
+        }));
         let as_hind_part = |body: &str| bones.standard_foot(body).map(|foot| (body.to_owned(), foot));
         let as_toes = || {
             let joint = bones.joint_above(body)?;
@@ -101,27 +111,6 @@ pub(crate) fn reaches(model: &Model, bones: &BodyBones) -> Vec<Reach> {
         most,
     }));
     reaches
-}
-
-/// The reach of a sphere towards the next joint; of several next joints, towards the one that is farthest from the body's origin.
-///
-/// `None` without a next joint, or if it is nearer than a radius: such a joint does not show how long the bone is.
-fn reach_towards_joint(
-    bones: &BodyBones,
-    body: &str,
-    sphere: SphereId,
-    centre: DVec3,
-    radius_m: f64,
-) -> Option<Reach> {
-    let (squared, joint) = bones.farthest_joint(body)?;
-    let value = centre.dot(joint.in_parent_m) / squared;
-    (squared > radius_m * radius_m).then(|| Reach {
-        sphere,
-        value,
-        towards: joint.name.clone(),
-        measure: ReachMeasure::TowardsJoint,
-        most: if joint.is_weld { f64::INFINITY } else { LARGEST_TOWARDS_JOINT },
-    })
 }
 
 // The bones of a foot: their meshes, their sizes, and their next joints.

@@ -79,15 +79,6 @@ impl Verdict {
         Self { on, sign, text, place: worst.place.clone(), codes }
     }
 
-    /// The verdict with more text after a semicolon.
-    fn with_addition(mut self, more: Option<Phrase>) -> Self {
-        if let Some(more) = more {
-            self.text.push("; ");
-            self.text.push(&more);
-        }
-        self
-    }
-
     /// The verdict on a topic without findings: the text says what is right, or why this is not known.
     pub(crate) fn without_findings(on: VerdictTopic, right: Result<Phrase, Phrase>) -> Self {
         let (sign, text) = match right {
@@ -140,11 +131,6 @@ impl InspectedModel<'_> {
     }
 }
 
-/// Two numbers as a range, or as one number if they look the same.
-fn range(least: &str, most: &str) -> String {
-    if least == most { least.to_owned() } else { format!("{least} to {most}") }
-}
-
 /// The verdicts on all topics of a model. `findings` must be sorted, the worst first.
 pub(crate) fn answer_all(
     model: &Model,
@@ -167,8 +153,15 @@ fn judge_topic(on: VerdictTopic, inspected: &InspectedModel<'_>, findings: &[Fin
     };
     deciding.sort_by_key(|found| (Reverse(found.severity), rank(found.code())));
     if let Some((worst, others)) = deciding.split_first() {
-        let origin = (on == VerdictTopic::Mass).then(|| describe_origin(inspected, worst.code())).flatten();
-        return Verdict::from_findings(on, worst, others).with_addition(origin);
+        let mut verdict = Verdict::from_findings(on, worst, others);
+        // A finding about depth does not have the mass that the contacts are made for.
+        let depth_codes = [FindingCode::SunkIn, FindingCode::BeyondHertz, FindingCode::BeyondHertzAtTwo];
+        let is_about_depth = on == VerdictTopic::Mass && depth_codes.contains(&worst.code());
+        if let Some(made_for) = made_for(inspected).filter(|_| is_about_depth) {
+            verdict.text.push("; ");
+            verdict.text.push(&made_for);
+        }
+        return verdict;
     }
     let has_finding = |code| findings.iter().any(|found| found.code() == code);
     let (model, inspection) = (inspected.model, inspected.inspection);
@@ -247,12 +240,6 @@ fn describe_mass(inspected: &InspectedModel<'_>) -> Result<Phrase, Phrase> {
     Ok(phrase![&made_for, format!("; under {weighs} kg on one limb the deepest sphere sinks in {x_hat} R")])
 }
 
-/// The mass that the contacts are made for, if the worst finding is about depth and does not have this mass.
-fn describe_origin(inspected: &InspectedModel<'_>, worst: FindingCode) -> Option<Phrase> {
-    let depth_codes = [FindingCode::SunkIn, FindingCode::BeyondHertz, FindingCode::BeyondHertzAtTwo];
-    made_for(inspected).filter(|_| depth_codes.contains(&worst))
-}
-
 /// The recorded mass that the contacts are made for: `made for 500 kg (note in the file, by rescale)`.
 fn made_for(inspected: &InspectedModel<'_>) -> Option<Phrase> {
     let mass = inspected.inspection.contacts_mass_kg.as_ref().filter(|mass| mass.from.is_about_contacts())?;
@@ -270,27 +257,26 @@ fn describe_sides(inspected: &InspectedModel<'_>) -> Result<Phrase, Phrase> {
     let count_on = |side: &str| -> usize {
         limbs.iter().filter(|limb| limb.side == side).map(|limb| limb.spheres.len()).sum()
     };
+    let spheres = |count| counted(count, "sphere");
     Ok(match (count_on("right"), count_on("left")) {
-        (0, some) | (some, 0) => format!("there is one side only ({})", counted_spheres(some)),
-        (right, left) if right == left => format!("left and right agree ({} each)", counted_spheres(right)),
+        (0, some) | (some, 0) => format!("there is one side only ({})", spheres(some)),
+        (right, left) if right == left => format!("left and right agree ({} each)", spheres(right)),
         (right, left) => format!(
             "the contacts that both sides have agree ({} on the right, {} on the left)",
-            counted_spheres(right),
-            counted_spheres(left)
+            spheres(right),
+            spheres(left)
         ),
     }
     .into())
-}
-
-fn counted_spheres(count: usize) -> String {
-    counted(count, "sphere")
 }
 
 /// Describes the radii of the spheres.
 fn describe_sizes(inspected: &InspectedModel<'_>) -> Result<Phrase, Phrase> {
     let radii = inspected.smallest(Figure::Radius).zip(inspected.largest(Figure::Radius));
     let (least, most) = radii.ok_or_else(|| inspected.why_no_figures())?;
-    let range = range(&three_significant(least * 1e3), &three_significant(most * 1e3));
+    let (least, most) = (three_significant(least * 1e3), three_significant(most * 1e3));
+    // One number if both look the same.
+    let range = if least == most { least } else { format!("{least} to {most}") };
     Ok(format!("radii of {range} mm").into())
 }
 
