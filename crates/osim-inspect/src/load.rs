@@ -113,25 +113,16 @@ impl LoadSharing {
     ///
     /// No number is given, and left and right are not known, or limbs have different numbers of spheres.
     pub fn count(&self, given: Option<f64>, stance_limbs: f64, whose: CountedSpheres) -> Result<f64, Fault> {
-        if let Some(count) = given {
-            return Ok(count);
-        }
-        match self.limbs.spheres_per_limb() {
-            Ok(spheres) => Ok(spheres_on_limbs(spheres, stance_limbs)),
-            Err(why) => Err(Fault::new(MissingFact::SphereCount { of: whose, why })),
-        }
+        let on_limbs = || self.limbs.spheres_per_limb().map(|spheres| spheres as f64 * stance_limbs);
+        let count = given.map_or_else(on_limbs, Ok);
+        count.map_err(|why| Fault::new(MissingFact::SphereCount { of: whose, why }))
     }
 
     /// The number n of spheres that share the weight while the body stands on limbs like `limb`. Figures need n for each limb, even if
     /// limbs differ.
     pub fn count_on_limb(limb: &Limb, given: Option<f64>, stance_limbs: f64) -> f64 {
-        given.unwrap_or_else(|| spheres_on_limbs(limb.spheres.len(), stance_limbs))
+        given.unwrap_or(limb.spheres.len() as f64 * stance_limbs)
     }
-}
-
-/// How many spheres share the weight on this many limbs with `spheres` each.
-fn spheres_on_limbs(spheres: usize, stance_limbs: f64) -> f64 {
-    spheres as f64 * stance_limbs
 }
 
 /// The mass for which the contacts of some forces were made, and the source of this mass.

@@ -34,13 +34,9 @@ impl Floors {
     pub(crate) fn of(model: &Model) -> Self {
         let pose = DefaultPose::of(model);
         let planes = ContactPlane::all(model, &model.force_ids(), &pose);
-        if planes.is_empty() {
-            return Self(Vec::new());
-        }
         let judge = PlaneJudge::new(PosedTrees::of(model, &pose), &planes);
-        let kinds: Vec<PlaneJudgement> = planes.iter().map(|plane| judge.judge_plane(plane)).collect();
-        let judged = planes.into_iter().zip(kinds);
-        Self(judged.map(|(plane, kind)| JudgedPlane { plane, kind }).collect())
+        let judged = |plane| JudgedPlane { kind: judge.judge_plane(&plane), plane };
+        Self(planes.into_iter().map(judged).collect())
     }
 
     /// Whether there is any plane that moving spheres press on.
@@ -236,7 +232,10 @@ impl<'m> PosedTrees<'m> {
             let tree = trees.entry(movements.top(&body.name).to_owned()).or_default();
             tree.count += 1;
             if let (Ok(placed), Ok(mass_kg)) = (pose.placement(&body.name), body.mass_kg()) {
-                tree.add(mass_kg, placed.translation_m, model.up());
+                let height_m = placed.translation_m.dot(model.up());
+                let [low, high] = tree.heights_m.unwrap_or([height_m; 2]);
+                tree.heights_m = Some([low.min(height_m), high.max(height_m)]);
+                tree.bodies.push((mass_kg, placed.translation_m));
             }
         }
         Self { model, pose, movements, trees }
@@ -292,16 +291,6 @@ impl<'m> PosedTrees<'m> {
     fn centre_of_sphere(&self, sphere: SphereId) -> Option<DVec3> {
         let body = self.body_of(sphere)?;
         Some(self.pose.placement(body).ok()?.point(self.model.centre_m(sphere)?))
-    }
-}
-
-impl BodyTree {
-    /// Adds a body with its mass and origin to the tree.
-    fn add(&mut self, mass_kg: f64, origin_m: DVec3, up: DVec3) {
-        let height_m = origin_m.dot(up);
-        let [low, high] = self.heights_m.unwrap_or([height_m; 2]);
-        self.heights_m = Some([low.min(height_m), high.max(height_m)]);
-        self.bodies.push((mass_kg, origin_m));
     }
 }
 

@@ -73,14 +73,10 @@ impl From<&FindingWithRemedy> for FindingRecord {
     }
 }
 
-pub(crate) fn records<S: Serializer>(findings: &[Finding], serializer: S) -> Result<S::Ok, S::Error> {
-    serializer.collect_seq(findings.iter().map(FindingRecord::from))
-}
-
-pub(crate) fn records_with_commands<S: Serializer>(
-    findings: &[FindingWithRemedy],
-    serializer: S,
-) -> Result<S::Ok, S::Error> {
+pub(crate) fn records<'f, T, S: Serializer>(findings: &'f [T], serializer: S) -> Result<S::Ok, S::Error>
+where
+    FindingRecord: From<&'f T>,
+{
     serializer.collect_seq(findings.iter().map(FindingRecord::from))
 }
 

@@ -52,24 +52,36 @@ impl Figures {
             _ => None,
         };
         let mut limbs = Vec::new();
-        let standing = standing_by_sphere(standing);
+        let standing: StandingBySphere<'_> = standing
+            .iter()
+            .flat_map(|tree| tree.spheres.iter().map(move |over| (over.sphere, tree)))
+            .collect();
         let mut all_by_limb = all.as_ref().map(|all| split_by_limb(&sharing.limbs, all));
-        for (place, limb, chosen) in
-            chosen_by_limb(&sharing.limbs, &loads, stance.spheres, stance.limb_count(model))
-        {
-            if limb.sphere_count.is_none() && why_no_body_weight.is_none() {
-                why_no_body_weight = why_no_count(&sharing.limbs);
+        let chosen_by_limb = split_by_limb(&sharing.limbs, &loads).into_iter().enumerate();
+        for (place, chosen) in chosen_by_limb.filter(|(_, chosen)| !chosen.is_empty()) {
+            let limb = sharing.limbs.if_known().and_then(|limbs| limbs.get(place));
+            let on_limb = |limb| LoadSharing::count_on_limb(limb, stance.spheres, stance.limb_count(model));
+            let sphere_count = limb.map(on_limb).or(stance.spheres).filter(|&count| count >= 1.0);
+            if sphere_count.is_none() && why_no_body_weight.is_none() {
+                let why = sharing.limbs.why_unknown().cloned();
+                why_no_body_weight =
+                    why.map(|why| MissingFact::SphereCount { of: CountedSpheres::Model, why }.phrase());
             }
             let loaded = LoadedLimb {
                 model,
                 chosen: &chosen,
                 all: all_by_limb.as_mut().and_then(|all| all.get_mut(place)).map(std::mem::take),
-                count: limb.sphere_count,
+                count: sphere_count,
                 standing: &standing,
                 weight,
                 speed,
             };
-            limbs.push(LimbFigures { spheres: loaded.sphere_figures(), ..limb });
+            limbs.push(LimbFigures {
+                limb: limb.map(|limb| limb.name.clone()),
+                side: limb.map(|limb| limb.side.as_str()),
+                sphere_count,
+                spheres: loaded.sphere_figures(),
+            });
         }
         if limbs.is_empty() && why_no_body_weight.is_none() {
             // The forces belong to several bodies, and the caller chose none of these.
@@ -105,43 +117,6 @@ fn default_impact_speed(loads: &[SphereContacts], gravity: Option<f64>) -> Optio
     let radii: Vec<f64> = loads.iter().map(|one| one.radius_m).collect();
     let radius = mixed_radii::mean_square(&radii).ok()?.sqrt();
     restitution::drop_speed(gravity?, radius).ok()
-}
-
-/// The chosen spheres of each limb that has chosen spheres, with the index of the limb, and a record of the limb that has no figures yet;
-/// all chosen spheres together if the limbs are not known.
-fn chosen_by_limb<'p>(
-    limbs: &Limbs,
-    loads: &'p [SphereContacts],
-    spheres: Option<f64>,
-    stance_limbs: f64,
-) -> Vec<(usize, LimbFigures, Vec<&'p SphereContacts>)> {
-    let at_least_one = |count: &f64| *count >= 1.0;
-    let on_limbs = split_by_limb(limbs, loads).into_iter().enumerate();
-    let group = |(place, on_limb): (usize, Vec<&'p SphereContacts>)| {
-        let limb = limbs.if_known().and_then(|limbs| limbs.get(place));
-        let count = match limb {
-            None => spheres,
-            Some(limb) => Some(LoadSharing::count_on_limb(limb, spheres, stance_limbs)),
-        };
-        let figures = LimbFigures {
-            limb: limb.map(|limb| limb.name.clone()),
-            side: limb.map(|limb| limb.side.as_str()),
-            sphere_count: count.filter(at_least_one),
-            spheres: Vec::new(),
-        };
-        (place, figures, on_limb)
-    };
-    on_limbs.filter(|(_, on_limb)| !on_limb.is_empty()).map(group).collect()
-}
-
-/// Why the number of spheres that share the weight is not known; `None` if it is.
-fn why_no_count(limbs: &Limbs) -> Option<Phrase> {
-    match limbs {
-        Limbs::Unknown(why) => {
-            Some(MissingFact::SphereCount { of: CountedSpheres::Model, why: why.clone() }.phrase())
-        }
-        Limbs::Known(_) => None,
-    }
 }
 
 /// The loads for which figures are computed, in body weights.
@@ -185,7 +160,8 @@ impl LoadedLimb<'_> {
             if let (Some(own), Some(rest)) =
                 (&at_own_heights, rests.iter_mut().find(|rest| rest.body_weights == 1.0))
             {
-                (rest.standing_hertz, rest.standing_model_law) = own.relative_indentations(one);
+                rest.standing_hertz = own.hertz.get(&one.sphere).copied();
+                rest.standing_model_law = own.model_law.get(&one.sphere).copied();
             }
             figures.push(self.figures_of_sphere(one, &rests));
         }
@@ -260,13 +236,8 @@ fn sphere_rest(one: &SphereContacts, level: &LevelLimb) -> SphereRest {
 
 // Spheres of a limb at their own heights: how deep each is while together they carry the body.
 
-/// For each sphere over a floor, the heights of the spheres of its joint tree.
+/// For each sphere over a floor, its joint tree with the heights of the spheres of this tree.
 type StandingBySphere<'s> = HashMap<SphereId, &'s Standing>;
-
-/// The joint tree over its floor to which each sphere belongs.
-fn standing_by_sphere(standing: &[Standing]) -> StandingBySphere<'_> {
-    standing.iter().flat_map(|tree| tree.spheres.iter().map(move |over| (over.sphere, tree))).collect()
-}
 
 /// The relative indentations x̂ of the spheres of a limb that carries the body in its default pose, each sphere at its own height; empty if
 /// the pose or a sphere is not known.
@@ -288,10 +259,5 @@ impl OwnHeightRest {
             relative.filter(|(_, x_hat)| x_hat.is_finite()).collect()
         };
         Self { hertz: rest(RestLaw::Hertz), model_law: rest(RestLaw::OfFile) }
-    }
-
-    /// The x̂ of the sphere `one`: by the Hertz law, and by the law of the model.
-    fn relative_indentations(&self, one: &SphereContacts) -> (Option<f64>, Option<f64>) {
-        (self.hertz.get(&one.sphere).copied(), self.model_law.get(&one.sphere).copied())
     }
 }

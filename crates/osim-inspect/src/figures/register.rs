@@ -98,7 +98,7 @@ crate::quantities! {
         });
         MeanContactStress = "Mean contact stress σ under one body weight.",
             Quantity::MEAN_CONTACT_STRESS.labelled("mean stress") => entry(Always, |s| {
-            let rest = s.rest_at_one_body_weight().and_then(|rest| Some((rest.load_n, rest.hertz?)));
+            let rest = s.rest_at(1.0).and_then(|rest| Some((rest.load_n, rest.hertz?)));
             rest.and_then(|(load_n, x_hat)| patch::mean_stress(load_n, s.contacts.radius_m, x_hat).ok()).into()
         });
         RestitutionExact = "Restitution c_r of the law at the impact speed.",
@@ -148,7 +148,7 @@ impl Figure {
 
 /// Stiffness of a sphere under its share of the body weight, N/m.
 fn contact_stiffness(sphere: &SphereOnFloor<'_>) -> Option<f64> {
-    let x_hat = sphere.rest_at_one_body_weight()?.hertz?;
+    let x_hat = sphere.rest_at(1.0)?.hertz?;
     let hertz = Hertz::sphere(sphere.composite_modulus(), sphere.contacts.radius_m).ok()?;
     Some(hertz.stiffness_at_relative_indentation(x_hat))
 }
@@ -250,12 +250,9 @@ impl LimbFigures {
             (Figure::Indentation, Figure::LevelIndentation),
             (Figure::IndentationAtTwo, Figure::LevelIndentationAtTwo),
         ];
-        let differs = |sphere: &SphereFigures, (equal, level): (Figure, Figure)| match (
-            sphere.value(equal),
-            sphere.value(level),
-        ) {
-            (Some(equal), Some(level)) => (equal - level).abs() > 1e-9 * equal.abs(),
-            _ => false,
+        let differs = |sphere: &SphereFigures, (equal, level): (Figure, Figure)| {
+            let values = sphere.value(equal).zip(sphere.value(level));
+            values.is_some_and(|(equal, level)| (equal - level).abs() > 1e-9 * equal.abs())
         };
         self.spheres.iter().any(|sphere| pairs.iter().any(|&pair| differs(sphere, pair)))
     }

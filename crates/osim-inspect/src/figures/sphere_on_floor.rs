@@ -68,12 +68,8 @@ pub(super) struct SphereRest {
 
 impl SphereOnFloor<'_> {
     /// How deep the sphere is in equilibrium under this many body weights.
-    fn rest_at(&self, body_weights: f64) -> Option<&SphereRest> {
+    pub(super) fn rest_at(&self, body_weights: f64) -> Option<&SphereRest> {
         self.rests.iter().find(|rest| rest.body_weights == body_weights)
-    }
-
-    pub(super) fn rest_at_one_body_weight(&self) -> Option<&SphereRest> {
-        self.rest_at(1.0)
     }
 
     /// A figure of the equilibrium under one body weight, if it is known.

@@ -5,8 +5,8 @@
 use std::cell::LazyCell;
 
 use osim_model::{
-    FaultKind, Finding, FindingCode, ForceId, MassRequest, MassSource, Model, Property, Selection, Severity,
-    Suspicion, YesQuestion, are_equal_masses,
+    FaultKind, Finding, FindingCode, ForceId, MassRequest, MassSource, Model, Property, Severity, Suspicion,
+    YesQuestion, are_equal_masses,
 };
 use osim_requests::options::{AnswerOptions, ForceOptions, MassOptions};
 use osim_requests::{Kilograms, Request, RescaleRequest};
@@ -215,7 +215,9 @@ fn findings_about_model(
         FindingWithRemedy::new(finding.clone(), find_remedy(model, finding, remedies))
     };
     let mut findings: Vec<FindingWithRemedy> = inspected.findings.iter().map(with_remedy).collect();
-    let remarks = model.remarks_on(&forces_on_half_spaces(model));
+    // The forces that a change applies to if the caller chooses no forces.
+    let on_half_spaces = model.forces().iter().filter(|force| model.meets_half_space(force));
+    let remarks = model.remarks_on(&on_half_spaces.map(|force| force.id).collect::<Vec<_>>());
     findings.extend(remarks.into_iter().map(FindingWithRemedy::from));
     findings.extend(apply_floor_rules(model, floors).into_iter().map(FindingWithRemedy::from));
     let unknown = [
@@ -224,12 +226,6 @@ fn findings_about_model(
     ];
     findings.extend(unknown.into_iter().flatten().map(FindingWithRemedy::from));
     findings
-}
-
-/// The forces that a change applies to if the caller chooses no forces.
-fn forces_on_half_spaces(model: &Model) -> Vec<ForceId> {
-    let forces = model.forces().iter().filter(|force| model.meets_half_space(force));
-    forces.map(|force| force.id).collect()
 }
 
 /// Gives a finding the severity that the table of known contacts has for it, if the numbers on which the finding depends are the published
@@ -289,8 +285,7 @@ fn masses_of_remedy(options: &MassOptions, masses: &MassRequest) -> MassRequest 
 
 /// The doubts about masses that a remedy would raise, so that its command answers them.
 fn suspicions_about_masses(masses: &MassRequest, model: &Model, choice: &ForceOptions) -> Vec<Suspicion> {
-    let selection: Selection = choice.selection();
-    unexplained_mass(masses, model, &selection).into_iter().collect()
+    unexplained_mass(masses, model, &choice.selection()).into_iter().collect()
 }
 
 /// The doubts about masses that the program would have about this rescaling.

@@ -10,7 +10,7 @@ use serde::Serialize;
 
 #[cfg(feature = "schemas")]
 use crate::serialized::FindingRecord;
-use crate::serialized::{SCHEMA_VERSION, records_with_commands};
+use crate::serialized::{SCHEMA_VERSION, records};
 use crate::verdicts::{self, Verdict};
 use crate::{FindingWithRemedy, Inspection, SizeList};
 
@@ -30,7 +30,7 @@ pub struct CheckResult {
     /// The verdicts on six topics, always in the same order; a seventh on a recording, if one is given.
     pub verdicts: Vec<Verdict>,
     /// From the worst to the least; equally bad ones in the order of the register.
-    #[serde(serialize_with = "records_with_commands")]
+    #[serde(serialize_with = "records")]
     #[cfg_attr(feature = "schemas", schemars(with = "Vec<FindingRecord>"))]
     pub findings: Vec<FindingWithRemedy>,
     /// The calls that correct what can be corrected, in the order in which they work: each changes what the one before wrote.
@@ -203,6 +203,13 @@ impl CheckResult {
         for remark in findings.iter_mut().filter(|finding| finding.severity == Severity::Remark) {
             remark.remedy = None;
         }
+        // Each remedy is a step. Nobody tried whether the steps work one after the other.
+        let mut steps: Vec<Request> = Vec::new();
+        for remedy in findings.iter().filter_map(|found| found.remedy.as_ref()) {
+            if !steps.contains(remedy) {
+                steps.push(remedy.clone());
+            }
+        }
         Self {
             schema_version: SCHEMA_VERSION,
             model: inspected.model.clone(),
@@ -211,13 +218,12 @@ impl CheckResult {
             verdicts: verdicts::answer_all(model, inspected, &findings),
             findings,
             commands: Vec::new(),
-            steps: Vec::new(),
+            steps,
             corrected: 0,
             beside_real_feet: inspected.beside_real_feet(),
             similarity: None,
             consistency: None,
         }
-        .with_steps_of_remedies()
     }
 
     /// Adds the result of comparing the contacts with a recording: a sentence if they fit, a finding if they do not, or the reason why it
@@ -241,16 +247,6 @@ impl CheckResult {
         self.findings.extend(remark.map(FindingWithRemedy::from));
         self.findings = sort_findings(std::mem::take(&mut self.findings));
         self.counts = Counts::of(&self.findings);
-    }
-
-    /// Makes each remedy a step. Nobody tried whether the steps work one after the other.
-    fn with_steps_of_remedies(mut self) -> Self {
-        for remedy in self.findings.iter().filter_map(|found| found.remedy.as_ref()) {
-            if !self.steps.contains(remedy) {
-                self.steps.push(remedy.clone());
-            }
-        }
-        self
     }
 
     /// All steps up to the step that corrects the finding, this step included; empty if no step corrects it.

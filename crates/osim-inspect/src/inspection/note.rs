@@ -1,7 +1,7 @@
 //! The note of a model, for the person who received the file: how the contacts were made, and what changed after that.
 
 use osim_model::messages::{readable, shown};
-use osim_model::{ChangedContacts, ChangedSinceNote, Model, Note, Scope, Step};
+use osim_model::{ChangedSinceNote, Model, Note, Scope, Step};
 use serde::Serialize;
 
 use crate::serialized::json_records;
@@ -110,28 +110,25 @@ fn changes_in_words(changed: &ChangedSinceNote) -> Vec<String> {
     let weight = changed.weight_kg.map(|(then, now)| {
         format!("the bodies weighed {} kg then and weigh {} kg now", readable(then), readable(now))
     });
-    contact_changes_in_words(&changed.contacts).into_iter().chain(sizes).chain(weight).collect()
-}
-
-/// What changed in the contacts since the note was written, each as a part of a sentence.
-fn contact_changes_in_words(changed: &ChangedContacts) -> Vec<String> {
+    let contacts = &changed.contacts;
     let count = |what: &str, count: Option<(usize, usize)>| {
         count.map(|(then, now)| format!("the contacts had {then} {what} then and have {now} now"))
     };
-    let counts: Vec<String> = count("spheres", changed.sphere_count)
+    let counts: Vec<String> = count("spheres", contacts.sphere_count)
         .into_iter()
-        .chain(count("forces", changed.force_count))
+        .chain(count("forces", contacts.force_count))
         .collect();
     let unknown = (!counts.is_empty())
         .then(|| "the note cannot show whether other numbers of the contacts changed, too".to_owned());
     let others = [
-        (changed.radii, "radii"),
-        (changed.places, "places of spheres"),
-        (changed.sphere_names, "names of spheres"),
-        (changed.force_names, "names of forces"),
-        (changed.exchanged, "which contact has which numbers"),
+        (contacts.radii, "radii"),
+        (contacts.places, "places of spheres"),
+        (contacts.sphere_names, "names of spheres"),
+        (contacts.force_names, "names of forces"),
+        (contacts.exchanged, "which contact has which numbers"),
     ];
     let others = others.into_iter().filter(|(is_changed, _)| *is_changed).map(|(_, name)| name.to_owned());
-    let properties = changed.properties.iter().map(|property| property.name().to_owned());
-    counts.into_iter().chain(unknown).chain(others).chain(properties).collect()
+    let properties = contacts.properties.iter().map(|property| property.name().to_owned());
+    let of_contacts = counts.into_iter().chain(unknown).chain(others).chain(properties);
+    of_contacts.chain(sizes).chain(weight).collect()
 }

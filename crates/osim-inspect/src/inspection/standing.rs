@@ -173,7 +173,8 @@ impl StandingBody {
             Some(BodyAtRest::from((model, standing, &rest, limb))).filter(BodyAtRest::is_finite)
         };
         let lift = standing.lift.as_ref();
-        let bottoms = bottoms_of_spheres(model, standing);
+        let bottom = |over: &SphereOverFloor| Some((over, model.sphere(over.sphere)?).into());
+        let bottoms: Vec<Bottom> = standing.spheres.iter().filter_map(bottom).collect();
         let is_off_floor =
             bottoms.iter().any(Bottom::is_inside) || lowest_bottom(&bottoms).is_some_and(Bottom::is_above);
         let is_wanted = rests == RestsToCompute::All || is_off_floor;
@@ -226,12 +227,6 @@ impl Bottom {
 /// The lowest of the bottoms; of equally low bottoms, the first.
 fn lowest_bottom(bottoms: &[Bottom]) -> Option<&Bottom> {
     bottoms.iter().reduce(|a, b| if b.height_m < a.height_m - SAME_HEIGHT_M { b } else { a })
-}
-
-/// The bottoms of all spheres of a joint tree over its floor.
-fn bottoms_of_spheres(model: &Model, standing: &Standing) -> Vec<Bottom> {
-    let bottom = |over: &SphereOverFloor| Some((over, model.sphere(over.sphere)?).into());
-    standing.spheres.iter().filter_map(bottom).collect()
 }
 
 /// The index of the limb with the lowest bottom; of equally low bottoms, the first.
