@@ -306,18 +306,3 @@ impl GravityChange {
         }
     }
 }
-
-/// The factor of a property by PredSim's rule; 1 for the properties that PredSim does not scale.
-pub(crate) fn predsim_factor(
-    property: Property,
-    ratios: &Ratios,
-    height_ratio: f64,
-) -> Option<(f64, ChangedBy)> {
-    let factor = match property {
-        Property::Stiffness => ratios.mass() / (height_ratio * height_ratio),
-        Property::Dissipation => 1.0 / height_ratio,
-        Property::ConstantContactForce | Property::HertzSmoothing | Property::HuntCrossleySmoothing => 1.0,
-        _ => return None,
-    };
-    Some((factor, ChangedBy::PredSim))
-}

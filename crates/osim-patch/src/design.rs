@@ -2,7 +2,7 @@
 //! (C.8), (C.10).
 
 use contact_scaling::{
-    Contact, ContactValues, DomainError, Law, RatioValues, Ratios, SharedLoad, SmoothingValues, Spheres,
+    Contact, ContactValues, DomainError, Law, Ratios, SharedLoad, SmoothingValues, Spheres,
     design as dimensioned, equilibrium, modulus, patch, restitution, smoothing,
 };
 use osim_model::messages::{Phrase, counted, phrase, readable};
@@ -130,9 +130,7 @@ pub fn design(model: &Model, selected: &Selected, wanted: &Design) -> Result<Pla
     let shared = !model.spheres_in_several_forces().is_empty();
     let by = DissipationBy::Radius;
     for force in selected.forces.iter().filter_map(|&id| model.force(id)) {
-        let by_radius =
-            RatioValues { mass: 1.0, sphere_count: 1.0, radius: radii.ratio(model, force), gravity: 1.0 };
-        let own_ratios = Ratios::new(by_radius).map_err(Fault::new)?;
+        let own_ratios = radii.own_ratios(model, force)?;
         let radius_m = radii.rms_pressed_radius(model, force);
         let sphere = DesignedForce { force, radius_m, own_ratios };
         // If two forces share a sphere, the rest of one force alone means nothing.
@@ -157,6 +155,7 @@ pub fn design(model: &Model, selected: &Selected, wanted: &Design) -> Result<Pla
     }
     let smooth = selected.forces.iter().filter_map(|&id| model.force(id)).any(is_smooth);
     let masses = wanted.target_mass.clone().map(Masses::unchanged);
+    let gravity_m_s2 = wanted.load.and(wanted.gravity_m_s2.or(model.gravity())).or(model.contacts_gravity());
     let made = wanted.mass_for_note(model, wanted.is_complete(smooth) && selected.complete);
     Ok(Plan::new(
         model,
@@ -164,10 +163,7 @@ pub fn design(model: &Model, selected: &Selected, wanted: &Design) -> Result<Pla
         &NoteFacts {
             followed: None,
             target_mass_kg: made.kg,
-            gravity_m_s2: wanted
-                .load
-                .and(wanted.gravity_m_s2.or(model.gravity()))
-                .or(model.contacts_gravity()),
+            gravity_m_s2,
             scope: made.scope,
             operation: "design",
         },

@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use contact_scaling::modulus;
+use contact_scaling::{RatioValues, Ratios, modulus};
 use foldhash::{HashMap, HashMapExt, HashSet};
 use osim_model::compare::ScaleFile;
 use osim_model::{
@@ -62,6 +62,12 @@ impl Radii {
         }
     }
 
+    /// The scaling ratios of one force that follow from its new and old radii.
+    pub(crate) fn own_ratios(&self, model: &Model, force: &Force) -> Result<Ratios, Fault> {
+        let radius = self.ratio(model, force);
+        Ratios::new(RatioValues { mass: 1.0, sphere_count: 1.0, radius, gravity: 1.0 }).map_err(Fault::new)
+    }
+
     /// Root of the mean R² of the force's contacts after the change: R of each sphere, R₁R₂/(R₁ + R₂) of two spheres that press
     /// each other.
     pub(crate) fn rms_pressed_radius(&self, model: &Model, force: &Force) -> f64 {
@@ -109,13 +115,9 @@ impl Radii {
         for (&sphere, pair) in &self.0 {
             let Some(found) = plan.model.sphere(sphere) else { continue };
             found.round_radius_m()?;
-            let location = found.location_m;
             let axis = axis.in_frame(&plan.model.rotation_of(found)?);
-            plan.move_sphere(
-                sphere,
-                axis.levelled_centre(location, pair.old, pair.new, |vector| vector),
-                ChangedBy::Level,
-            )?;
+            let place = axis.levelled_centre(found.location_m, pair.old, pair.new, |vector| vector);
+            plan.move_sphere(sphere, place, ChangedBy::Level)?;
         }
         Ok(())
     }

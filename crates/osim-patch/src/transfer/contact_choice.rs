@@ -1,6 +1,6 @@
 //! Chooses the contact of the reference for each sphere of a model, also if the spheres of one force have different materials.
 
-use contact_scaling::{DimensionlessContact, RatioValues, Ratios, Scale, ScaleValues};
+use contact_scaling::{DimensionlessContact, Scale, ScaleValues};
 use foldhash::{HashMap, HashMapExt};
 use osim_model::{
     Fault, FaultKind, Force, MissingFact, Model, Property, Selected, SphereId, Surfaces, moving_spheres,
@@ -8,9 +8,8 @@ use osim_model::{
 };
 
 use crate::builder::{NewNumber, PlanBuilder};
-use crate::change::{predsim_factor, property_factor};
 use crate::new_radii::Radii;
-use crate::transfer::reference::{Reference, ReferenceContact, ScalingRule, Transfer};
+use crate::transfer::reference::{Reference, ReferenceContact, Transfer};
 
 /// Two dimensionless contacts with at most this relative difference are equal.
 const SAME_CONTACT_TOLERANCE: f64 = 1e-6;
@@ -61,8 +60,8 @@ impl<'t> ContactChoice<'t> {
         };
         if let Some(name) = &wanted.reference_sphere {
             let named = contacts.iter().find_map(|contact| {
-                let radius_m = contact.radius_of(name)?;
-                Some(Self::Named { contact, radius_m })
+                let at = contact.spheres.iter().position(|known| known == name)?;
+                Some(Self::Named { contact, radius_m: *contact.radii_m.get(at)? })
             });
             return named.ok_or_else(|| {
                 let known = contacts.iter().flat_map(|contact| &contact.spheres).cloned().collect();
@@ -180,12 +179,8 @@ fn contacts_by_sphere_name(contacts: &[ReferenceContact]) -> HashMap<&str, &Refe
 
 /// The contact without dimension, for comparing contacts of one reference.
 fn dimensionless_contact(contact: &ReferenceContact) -> Result<DimensionlessContact, Fault> {
-    let values = ScaleValues {
-        mass_kg: 1.0,
-        radius_m: contact.radius_m,
-        sphere_count: 1.0,
-        gravity_m_s2: ARBITRARY_GRAVITY,
-    };
+    let (radius_m, gravity_m_s2) = (contact.radius_m, ARBITRARY_GRAVITY);
+    let values = ScaleValues { mass_kg: 1.0, radius_m, sphere_count: 1.0, gravity_m_s2 };
     Ok(DimensionlessContact::of(&contact.contact, &Scale::new(values).map_err(Fault::new)?))
 }
 
@@ -211,19 +206,9 @@ pub(crate) fn plan_several_sets(
     radii: &Radii,
     gravity: f64,
 ) -> Result<(), Fault> {
-    let ratios = Ratios::new(RatioValues {
-        mass: wanted.target_mass.kg / wanted.reference.mass.kg,
-        sphere_count: wanted.sphere_count / wanted.reference.sphere_count,
-        radius: radius_ratio(plan, force, wanted, radii),
-        gravity,
-    })
-    .map_err(Fault::new)?;
+    let ratios = wanted.ratios(radius_ratio(plan, force, wanted, radii), gravity)?;
     for property in Property::ALL.into_iter().filter(|&property| wanted.properties.contains(property)) {
-        let scaled = match wanted.rule {
-            ScalingRule::Paper => property_factor(property, &ratios, wanted.dissipation_by),
-            ScalingRule::PredSim { height_ratio } => predsim_factor(property, &ratios, height_ratio),
-        };
-        let Some((factor, by)) = scaled else { continue };
+        let Some((factor, by)) = wanted.factor(property, &ratios) else { continue };
         let factor = factor * composite_ratio(plan, force, chosen, property)?;
         plan.change_in_all_sets(force, property, |from| NewNumber::multiplied(from, factor, by))?;
     }

@@ -1,15 +1,15 @@
 //! Plans a transfer: scales the contacts of a reference to the size of a model: (10), (14), (C.2), (C.5), (C.10).
 
-use contact_scaling::{Contact, DimensionlessContact, RatioValues, Ratios, Scale, ScaleValues, restitution};
+use contact_scaling::{Contact, DimensionlessContact, Ratios, Scale, ScaleValues, restitution};
 use osim_model::compare::Follow;
 use osim_model::messages::{Phrase, phrase, readable};
 use osim_model::{
-    Fault, FaultKind, Finding, Force, ForceKind, GravityFor, Model, Property, RadiusRule, Scope, Selected,
-    SphereId,
+    Fault, FaultKind, Finding, Force, ForceKind, GravityFor, Mass, Model, Property, RadiusRule, Scope,
+    Selected, SphereId,
 };
 
 use crate::builder::{PlanBuilder, change_composite, scale_with_radius};
-use crate::change::{ChangedBy, GravityChange, predsim_factor, property_factor};
+use crate::change::{ChangedBy, GravityChange};
 use crate::new_radii::{Radii, SphereRadiusRule};
 use crate::objects::keeps_sphere_inside;
 use crate::plan::{Masses, NoteFacts, Plan, TRANSFER_OPERATION};
@@ -31,7 +31,12 @@ use crate::transfer::reference::{ReferenceContact, ScalingRule, Transfer};
 /// - Spheres of one force move with bodies of different scale factors, and [`Transfer::strict`] is set
 ///   ([`FaultKind::StrictlyRefused`]).
 pub fn transfer(model: &Model, selected: &Selected, wanted: &Transfer) -> Result<Plan, Fault> {
-    refuse_old_dialect(model, selected)?;
+    let mut forces = selected.forces.iter().filter_map(|&id| model.force(id));
+    if let Some(force) = forces.find(|force| keeps_sphere_inside(model, force)) {
+        // OpenSim could not read the result.
+        let kind = FaultKind::SphereInsideForce { force: force.path.clone() };
+        return Err(Fault::new(kind).at_element(force.path.clone()).in_file(force.file));
+    }
     let mut plan = PlanBuilder::new(model);
     let chosen = ContactChoice::new(model, selected, wanted)?;
     let reference = &wanted.reference;
@@ -77,20 +82,8 @@ pub fn transfer(model: &Model, selected: &Selected, wanted: &Transfer) -> Result
         }
         let from = chosen.contact_for_force(model, force)?;
         let radius = radii.rms_new_radius(force) / from.radius_m;
-        let values =
-            RatioValues { mass, sphere_count: wanted.sphere_count / reference.sphere_count, radius, gravity };
-        let target = TargetForce {
-            force,
-            from,
-            ratios: Ratios::new(values).map_err(Fault::new)?,
-            own: Ratios::new(RatioValues {
-                mass: 1.0,
-                sphere_count: 1.0,
-                radius: radii.ratio(model, force),
-                gravity: 1.0,
-            })
-            .map_err(Fault::new)?,
-        };
+        let (ratios, own) = (wanted.ratios(radius, gravity)?, radii.own_ratios(model, force)?);
+        let target = TargetForce { force, from, ratios, own };
         without_smoothing |=
             force.kind == ForceKind::SmoothSphereHalfSpace && from.contact.smoothing().is_none();
         target.plan(&mut plan, wanted)?;
@@ -111,18 +104,6 @@ pub fn transfer(model: &Model, selected: &Selected, wanted: &Transfer) -> Result
     Ok(plan_with_note_and_remarks(plan, wanted, selected.complete && whole, &radii, change))
 }
 
-/// Refuses a force in the form of Moco 0.1 to 0.3, because OpenSim could not read the result.
-fn refuse_old_dialect(model: &Model, selected: &Selected) -> Result<(), Fault> {
-    let mut forces = selected.forces.iter().filter_map(|&id| model.force(id));
-    match forces.find(|force| keeps_sphere_inside(model, force)) {
-        Some(force) => {
-            let kind = FaultKind::SphereInsideForce { force: force.path.clone() };
-            Err(Fault::new(kind).at_element(force.path.clone()).in_file(force.file))
-        }
-        None => Ok(()),
-    }
-}
-
 /// A force of the model, with the contact of the reference that it gets and the ratios to it.
 struct TargetForce<'t> {
     force: &'t Force,
@@ -136,11 +117,7 @@ impl TargetForce<'_> {
     /// Plans the parameters of this force.
     fn plan(&self, plan: &mut PlanBuilder<'_>, wanted: &Transfer) -> Result<(), Fault> {
         for property in Property::ALL.into_iter().filter(|&property| wanted.properties.contains(property)) {
-            let scaled = match wanted.rule {
-                ScalingRule::Paper => property_factor(property, &self.ratios, wanted.dissipation_by),
-                ScalingRule::PredSim { height_ratio } => predsim_factor(property, &self.ratios, height_ratio),
-            };
-            let Some((factor, by)) = scaled else { continue };
+            let Some((factor, by)) = wanted.factor(property, &self.ratios) else { continue };
             match self.reference_value(property) {
                 Some(value) => {
                     if property == Property::Dissipation && wanted.rule == ScalingRule::Paper {
@@ -240,11 +217,9 @@ fn check_factor_spread(
     let model = plan.model;
     for force in selected.forces.iter().filter_map(|&id| model.force(id)) {
         // A reference force has one radius for all its spheres; what differs here is the bodies' factors.
-        let old = |sphere: SphereId| match wanted.follow.as_ref().and_then(|follow| follow.old_radius(sphere))
-        {
-            Some(radius) => radius,
-            None => chosen.contact_for_sphere(model, sphere).radius_m,
-        };
+        let followed = |sphere| wanted.follow.as_ref().and_then(|follow| follow.old_radius(sphere));
+        let of_reference = |sphere| chosen.contact_for_sphere(model, sphere).radius_m;
+        let old = |sphere: SphereId| followed(sphere).unwrap_or_else(|| of_reference(sphere));
         let Some(text) = rules::factor_spread_message(force, radii.ratio_spread(force, old)) else {
             continue;
         };
@@ -276,28 +251,15 @@ fn compare_with_reference(
     let from = chosen.contact_for_force(model, force).ok()?;
     let gravity = wanted.reference.gravity_m_s2.or(model.gravity()).filter(|&gravity| gravity > 0.0)?;
     let here_gravity = wanted.target_gravity_m_s2.or(model.gravity()).filter(|&gravity| gravity > 0.0)?;
-    let there = Scale::new(ScaleValues {
-        mass_kg: wanted.reference.mass.kg,
-        radius_m: from.radius_m,
-        sphere_count: wanted.reference.sphere_count,
-        gravity_m_s2: gravity,
-    });
-    let here = Scale::new(ScaleValues {
-        mass_kg: wanted.target_mass.kg,
-        radius_m: radii.rms_new_radius(force),
-        sphere_count: wanted.sphere_count,
-        gravity_m_s2: here_gravity,
-    });
-    let (there, here) = (there.ok()?, here.ok()?);
+    let scale = |mass: &Mass, radius_m: f64, sphere_count: f64, gravity_m_s2: f64| {
+        Scale::new(ScaleValues { mass_kg: mass.kg, radius_m, sphere_count, gravity_m_s2 }).ok()
+    };
+    let (reference, new_radius_m) = (&wanted.reference, radii.rms_new_radius(force));
+    let there = scale(&reference.mass, from.radius_m, reference.sphere_count, gravity)?;
+    let here = scale(&wanted.target_mass, new_radius_m, wanted.sphere_count, here_gravity)?;
     let contact = match wanted.rule {
         ScalingRule::Paper => {
-            let values = RatioValues {
-                mass: wanted.target_mass.kg / wanted.reference.mass.kg,
-                sphere_count: wanted.sphere_count / wanted.reference.sphere_count,
-                radius: radii.rms_new_radius(force) / from.radius_m,
-                gravity: gravity_ratio,
-            };
-            from.contact.scaled(&Ratios::new(values).ok()?)
+            from.contact.scaled(&wanted.ratios(new_radius_m / from.radius_m, gravity_ratio).ok()?)
         }
         ScalingRule::PredSim { height_ratio } => {
             let mut values = from.contact.values();

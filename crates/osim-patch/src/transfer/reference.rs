@@ -1,12 +1,13 @@
 //! The options of a transfer, and its reference: the preset or model from which contacts are taken.
 
-use contact_scaling::{Contact, ContactValues, Preset, SmoothingValues};
+use contact_scaling::{Contact, ContactValues, Preset, RatioValues, Ratios, SmoothingValues};
 use osim_model::compare::Follow;
 use osim_model::{
     Class, DissipationBy, Fault, ForceKind, LevelAxis, Mass, MassSource, Model, Property, PropertySet,
     RadiusRule, Selected, Surfaces, contact_of_set, root_mean_square, sphere_sets,
 };
 
+use crate::change::{ChangedBy, property_factor};
 use crate::objects::{ContactLayout, NewContact};
 
 /// A contact of a reference, and the spheres that use this contact.
@@ -60,14 +61,6 @@ impl Reference {
     /// The fault that the reference has no contacts.
     pub fn without_contacts(&self) -> Fault {
         Fault::refused(format!("the reference {} has no contacts to take", self.name))
-    }
-}
-
-impl ReferenceContact {
-    /// The radius of the sphere called `name`, if it has this contact, m.
-    pub(crate) fn radius_of(&self, name: &str) -> Option<f64> {
-        let at = self.spheres.iter().position(|known| known == name)?;
-        self.radii_m.get(at).copied()
     }
 }
 
@@ -162,6 +155,30 @@ impl Transfer {
             strict: false,
         }
     }
+
+    /// The ratios of this model to the reference, if their radii have the ratio `radius` and their gravities the ratio `gravity`.
+    pub(super) fn ratios(&self, radius: f64, gravity: f64) -> Result<Ratios, Fault> {
+        let mass = self.target_mass.kg / self.reference.mass.kg;
+        let sphere_count = self.sphere_count / self.reference.sphere_count;
+        Ratios::new(RatioValues { mass, sphere_count, radius, gravity }).map_err(Fault::new)
+    }
+
+    /// The factor of a property by the rule of the transfer, and who gives the factor.
+    pub(super) fn factor(&self, property: Property, ratios: &Ratios) -> Option<(f64, ChangedBy)> {
+        let ScalingRule::PredSim { height_ratio } = self.rule else {
+            return property_factor(property, ratios, self.dissipation_by);
+        };
+        let factor = match property {
+            Property::Stiffness => ratios.mass() / (height_ratio * height_ratio),
+            Property::Dissipation => 1.0 / height_ratio,
+            // PredSim does not scale the smoothing.
+            Property::ConstantContactForce | Property::HertzSmoothing | Property::HuntCrossleySmoothing => {
+                1.0
+            }
+            _ => return None,
+        };
+        Some((factor, ChangedBy::PredSim))
+    }
 }
 
 /// How E₁* and α follow from the reference.
@@ -188,10 +205,8 @@ pub fn reference_of_model(
     for force in selected.forces.iter().filter_map(|&id| model.force(id)) {
         let surfaces = Surfaces::of(force)?;
         for (set, spheres) in sphere_sets(model, force) {
-            let mut radii_m = Vec::new();
-            for &sphere in &spheres {
-                radii_m.push(model.radius_m(sphere)?);
-            }
+            let radii_m: Result<Vec<f64>, Fault> = spheres.iter().map(|&id| model.radius_m(id)).collect();
+            let radii_m = radii_m?;
             let radius_m = root_mean_square(radii_m.iter().copied());
             let contact = contact_of_set(force, &surfaces, set)?;
             let get = |property| force.checked(set, property);
@@ -200,14 +215,8 @@ pub fn reference_of_model(
             contacts.push(ReferenceContact { spheres: names, radii_m, radius_m, contact, friction });
         }
     }
-    let name = model.name.clone();
-    Ok(Reference {
-        name,
-        mass,
-        sphere_count,
-        gravity_m_s2: model.contacts_gravity().filter(|&g| g > 0.0),
-        contacts,
-    })
+    let (name, gravity_m_s2) = (model.name.clone(), model.contacts_gravity().filter(|&g| g > 0.0));
+    Ok(Reference { name, mass, sphere_count, gravity_m_s2, contacts })
 }
 
 /// The contacts of `layout` as a reference called `name`. They were made for `mass` on `sphere_count` spheres that share its
