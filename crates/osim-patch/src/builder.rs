@@ -148,7 +148,7 @@ impl<'m> PlanBuilder<'m> {
         by: ChangedBy,
         slot: Slot,
     ) -> Result<(), Fault> {
-        self.refuse_included(slot.file, &path)?;
+        refuse_included(self.model, slot.file, &path)?;
         let (line, inserted) = (self.line_of_slot(&slot), slot.span.is_none());
         let planned = PlaceChange { geometry, path, from, to, by, line, inserted, slot };
         planned.text()?;
@@ -158,13 +158,6 @@ impl<'m> PlanBuilder<'m> {
 
     fn line_of_slot(&self, slot: &Slot) -> usize {
         self.model.file(slot.file).position(slot.offset).line
-    }
-
-    /// Refuses a change in a file that the model includes.
-    fn refuse_included(&self, file: FileId, path: &str) -> Result<(), Fault> {
-        let Some(included) = self.model.included_file(file) else { return Ok(()) };
-        let kind = FaultKind::IncludedFile { path: path.to_owned(), file: included.to_owned() };
-        Err(Fault::new(kind).at_element(path))
     }
 
     /// Adds a change, unless the number stays.
@@ -182,7 +175,7 @@ impl<'m> PlanBuilder<'m> {
                 .at_element(change.path)
                 .in_file(change.slot.file));
         }
-        self.refuse_included(change.slot.file, &change.path)?;
+        refuse_included(self.model, change.slot.file, &change.path)?;
         if self.planned.insert(ValueKey::from((&change.slot, change.property))) {
             self.changes.push(change);
         }
@@ -205,6 +198,13 @@ impl<'m> PlanBuilder<'m> {
         }
         Ok(found)
     }
+}
+
+/// Refuses a change of the element `path` if it is in a file that the model includes.
+pub(crate) fn refuse_included(model: &Model, file: FileId, path: &str) -> Result<(), Fault> {
+    let Some(included) = model.included_file(file) else { return Ok(()) };
+    let kind = FaultKind::IncludedFile { path: path.to_owned(), file: included.to_owned() };
+    Err(Fault::new(kind).at_element(path))
 }
 
 /// Changes a property that has no value of its own by the factor that follows from the new radius; `own` has the ratios of this model's new

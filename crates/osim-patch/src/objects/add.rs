@@ -1,16 +1,15 @@
 //! Adds contacts to a model.
 
 use foldhash::HashMap;
-use osim_model::{Body, Document, Fault, FaultKind, HalfSpace, Model, Note, Property, SphereId};
+use osim_model::{Body, Fault, FaultKind, HalfSpace, Model, Note, Property, SphereId};
 
 use crate::edit::model_with_edits;
-use crate::insert::NewElement;
-use crate::objects::nodes::{self, ForceValues, NamesInList, ParentFrame, SurfacePaths};
+use crate::objects::nodes::{self, ForceValues, NamesInList, ParentFrame};
 use crate::objects::rebuilt::{
     EarlierNote, ObjectAction, ObjectChange, RebuiltModel, TakenNames, refuse_non_utf8_name,
 };
 use crate::objects::sets::{FORCE_SET, GEOMETRY_SET, refuse_partial_model};
-use crate::{ContactLayout, NewContact, Plan};
+use crate::{ContactLayout, Plan};
 
 /// The letter for the floor in a note's list of elements that the program made.
 pub(super) const MARK_OF_MADE_FLOOR: char = 'h';
@@ -48,13 +47,16 @@ pub fn add_contacts(model: &Model, layout: &mut ContactLayout) -> Result<Rebuilt
     refuse_partial_model(model)?;
     layout.check()?;
     let (mut names, list) = (TakenNames::of(model), NamesInList::of(model));
-    let version = model.document().version();
-    let own = find_floor(model)?;
-    let made_floor = match &own {
-        Some(_) => None,
-        None => Some(names.reserve(if layout.floor.is_empty() { NAME_OF_FLOOR } else { &layout.floor })?),
+    let document = model.document();
+    let version = document.version();
+    let (made_floor, plane) = match find_floor(model)? {
+        Some(own) => (None, own.path),
+        None => {
+            let name = names.reserve(if layout.floor.is_empty() { NAME_OF_FLOOR } else { &layout.floor })?;
+            let path = format!("/contactgeometryset/{name}");
+            (Some(name), path)
+        }
     };
-    let plane = plane_path(own.as_ref(), made_floor.as_deref());
     refuse_non_utf8_name(model, &plane)?;
     let bodies: HashMap<&str, &Body> =
         model.bodies().iter().rev().map(|body| (body.name.as_str(), body)).collect();
@@ -70,7 +72,15 @@ pub fn add_contacts(model: &Model, layout: &mut ContactLayout) -> Result<Rebuilt
         let Some(body) = bodies.get(contact.body.as_str()) else {
             return Err(Fault::new(FaultKind::UnknownBody { body: contact.body.clone() }));
         };
-        refuse_fixed_body(body)?;
+        if body.fixed {
+            // The contacts would carry nothing.
+            let text = format!(
+                "only WeldJoints are between body {} and ground, so that its spheres would be scenery and carry nothing: put them on \
+                 a body that moves, or give this one another joint in OpenSim",
+                body.name
+            );
+            return Err(Fault::refused(text).at_element(body.path.clone()));
+        }
         refuse_non_utf8_name(model, &body.path)?;
         contact.sphere = names.reserve(&contact.sphere)?;
         contact.force = names.reserve(&contact.force)?;
@@ -78,17 +88,14 @@ pub fn add_contacts(model: &Model, layout: &mut ContactLayout) -> Result<Rebuilt
         let parent_frame = ParentFrame { name: &body.name, path: &body.path };
         geometry.push(nodes::sphere_element(version, &parent_frame, contact)?);
         objects.push(added("ContactSphere", [&contact.sphere, &sphere], Some(&contact.body)));
-        forces.push(force_element_of_contact(
-            model.document(),
-            &list,
-            contact,
-            &SurfacePaths { sphere: &sphere, plane: &plane },
-        )?);
+        let origin = |_: Property| format!("the numbers that {} is to have", contact.force);
+        let values = ForceValues { numbers: &contact.values, origin: &origin };
+        let surfaces: [&str; 2] = [&sphere, &plane];
+        forces.push(nodes::force(document, contact.kind, &contact.force, surfaces, &values, true, &list)?);
         let path = format!("/forceset/{}", contact.force);
         force_objects.push(added(contact.kind.as_str(), [&contact.force, &path], Some(&contact.body)));
     }
     objects.extend(force_objects);
-    let document = model.document();
     let (tree, root) = (document.tree(), document.data_root());
     let mut made: String = made_floor.iter().map(|_| MARK_OF_MADE_FLOOR).collect();
     let mut edits = FORCE_SET.add(tree, root, &forces, &mut made);
@@ -103,44 +110,6 @@ pub fn add_contacts(model: &Model, layout: &mut ContactLayout) -> Result<Rebuilt
         rebuilt.added = layout.contacts.iter().map(|contact| Note::operation_text(&contact.force)).collect();
     }
     Ok(rebuilt)
-}
-
-/// Refuses contacts on a body that cannot move, because they would carry nothing.
-fn refuse_fixed_body(body: &Body) -> Result<(), Fault> {
-    if !body.fixed {
-        return Ok(());
-    }
-    let text = format!(
-        "only WeldJoints are between body {} and ground, so that its spheres would be scenery and carry nothing: put them on a \
-         body that moves, or give this one another joint in OpenSim",
-        body.name
-    );
-    Err(Fault::refused(text).at_element(body.path.clone()))
-}
-
-/// The element of the force of a new contact.
-fn force_element_of_contact(
-    document: &Document,
-    list: &NamesInList,
-    contact: &NewContact,
-    paths: &SurfacePaths<'_>,
-) -> Result<NewElement, Fault> {
-    // In the list of a HuntCrossleyForce, members of the geometry set are called by their names.
-    let surfaces = match contact.kind {
-        osim_model::ForceKind::HuntCrossley => {
-            SurfacePaths { sphere: list.name_of(paths.sphere), plane: list.name_of(paths.plane) }
-        }
-        _ => SurfacePaths { sphere: paths.sphere, plane: paths.plane },
-    };
-    let origin = |_: Property| format!("the numbers that {} is to have", contact.force);
-    let values = ForceValues { numbers: &contact.values, origin: &origin };
-    nodes::force(document, contact.kind, &contact.force, &surfaces, &values, true)
-}
-
-/// The path of the floor that the new contacts press on: the model's own, or the one that was made.
-fn plane_path(own: Option<&HalfSpace>, made: Option<&str>) -> String {
-    own.map(|plane| plane.path.clone())
-        .unwrap_or_else(|| format!("/contactgeometryset/{}", made.unwrap_or(NAME_OF_FLOOR)))
 }
 
 /// A sphere that a plan adds, with the numbers that are written.

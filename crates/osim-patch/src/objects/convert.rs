@@ -1,6 +1,6 @@
 //! Converts forces to the other class, one force for each sphere.
 
-use contact_scaling::{RatioValues, Ratios, SmoothingValues, falisse2022};
+use contact_scaling::{RatioValues, Ratios, falisse2022};
 use foldhash::{HashMap, HashSet};
 use osim_model::messages::{readable, shown};
 use osim_model::{
@@ -8,10 +8,11 @@ use osim_model::{
     Sphere, Tree, moving_spheres,
 };
 
+use crate::builder::refuse_included;
 use crate::edit::{Edit, model_with_edits};
 use crate::insert::{indentation_unit, white_space_before};
 use crate::objects::layout::{ContactLayout, NewContact, SpherePlanePair, sphere_plane_pairs};
-use crate::objects::nodes::{self, ForceValues, NamesInList, SurfacePaths, SurfacesInsideForces};
+use crate::objects::nodes::{self, ForceValues, NamesInList, SurfacesInsideForces};
 use crate::objects::rebuilt::{ObjectAction, ObjectChange, RebuiltModel, TakenNames, refuse_non_utf8_name};
 use crate::objects::sets::{GEOMETRY_SET, refuse_partial_model};
 use crate::rules;
@@ -78,7 +79,7 @@ pub fn convert(model: &Model, selected: &Selected, wanted: &Convert) -> Result<C
     let (mut without_sphere, mut dropped) = (Vec::new(), Vec::new());
     let (mut edits, mut objects, mut inside) = (Vec::new(), Vec::new(), SurfacesInsideForces::default());
     for force in selected.forces.iter().filter_map(|&id| model.force(id)) {
-        refuse_included(model, force)?;
+        refuse_included(model, force.file, &force.path)?;
         if moving_spheres(model, &[force.id]).is_empty() && has_half_space(force) {
             without_sphere.push(force.path.clone());
             continue;
@@ -93,7 +94,14 @@ pub fn convert(model: &Model, selected: &Selected, wanted: &Convert) -> Result<C
             dropped.push((force.path.clone(), content.join(", ")));
         }
         if let Some(pair) = pairs.iter().find(|pair| pair.is_composite) {
-            findings.push(composite_finding(model, force, pair, wanted)?);
+            let sphere = model.sphere(pair.sphere).map_or("", |sphere| sphere.name.as_str());
+            let text = rules::composite_surfaces_message(force, sphere, &pair.plane.name);
+            if wanted.strict {
+                let kind = FaultKind::StrictlyRefused { text };
+                return Err(Fault::new(kind).at_element(force.path.clone()));
+            }
+            let remark = Finding::at(&rules::COMPOSITE_SURFACES, force.position, text);
+            findings.push(remark.with_place(&force.path));
         }
         let (edit, new) = divide_force(model, force, &pairs, wanted, (&mut names, &list, &mut inside))?;
         edits.push(edit);
@@ -113,13 +121,6 @@ pub fn convert(model: &Model, selected: &Selected, wanted: &Convert) -> Result<C
     }
     let rebuilt = RebuiltModel::new(model_with_edits(model, edits)?, objects, String::new());
     Ok(Converted { rebuilt, findings, renamed, without_sphere, dropped })
-}
-
-/// Refuses to convert a force in a file that the model includes.
-fn refuse_included(model: &Model, force: &Force) -> Result<(), Fault> {
-    let Some(file) = model.included_file(force.file) else { return Ok(()) };
-    let (path, file) = (force.path.clone(), file.to_owned());
-    Err(Fault::new(FaultKind::IncludedFile { path, file }).at_element(force.path.clone()))
 }
 
 fn has_half_space(force: &Force) -> bool {
@@ -200,22 +201,6 @@ pub(crate) fn keeps_sphere_inside(model: &Model, force: &Force) -> bool {
     force.spheres().into_iter().filter_map(|id| model.sphere(id)).any(Sphere::is_inside_force)
 }
 
-/// The remark on the composite parameters of a new force; an error in a strict change.
-fn composite_finding(
-    model: &Model,
-    force: &Force,
-    pair: &SpherePlanePair,
-    wanted: &Convert,
-) -> Result<Finding, Fault> {
-    let sphere = model.sphere(pair.sphere).map_or("", |sphere| sphere.name.as_str());
-    let text = rules::composite_surfaces_message(force, sphere, &pair.plane.name);
-    if wanted.strict {
-        let kind = FaultKind::StrictlyRefused { text };
-        return Err(Fault::new(kind).at_element(force.path.clone()));
-    }
-    Ok(Finding::at(&rules::COMPOSITE_SURFACES, force.position, text).with_place(&force.path))
-}
-
 /// The edit that replaces `force` by one force for each pair, and the new objects.
 fn divide_force(
     model: &Model,
@@ -224,12 +209,13 @@ fn divide_force(
     wanted: &Convert,
     (names, list, inside): (&mut TakenNames, &NamesInList, &mut SurfacesInsideForces),
 ) -> Result<(Edit, Vec<ObjectChange>), Fault> {
-    let tree = model.document().tree();
+    let document = model.document();
+    let tree = document.tree();
     let span = tree.span(force.element());
     let space = white_space_before(tree, span.start);
     let unit = indentation_unit(tree, force.element());
     let (mut text, mut objects) = (String::new(), Vec::new());
-    for (index, pair) in pairs.iter().enumerate() {
+    for pair in pairs {
         let Some(sphere) = model.sphere(pair.sphere) else { continue };
         let name = match pairs.len() {
             1 => force.name.clone(),
@@ -243,35 +229,25 @@ fn divide_force(
             refuse_non_utf8_name(model, used).map_err(|fault| fault.at_element(force.path.clone()))?;
         }
         let mut values = pair.values.clone();
-        if wanted.to == ForceKind::SmoothSphereHalfSpace {
-            add_smoothing(&mut values, sphere.radius_m()?, wanted)?;
-        }
-        let surfaces = match wanted.to {
+        match wanted.to {
             ForceKind::HuntCrossley => {
-                SurfacePaths { sphere: list.name_of(&sphere_path), plane: list.name_of(&plane_path) }
+                values.retain(|(property, _)| !SMOOTHING_PROPERTIES.contains(property));
             }
-            _ => SurfacePaths { sphere: &sphere_path, plane: &plane_path },
-        };
+            _ => add_smoothing(&mut values, sphere.radius_m()?, wanted)?,
+        }
+        let surfaces: [&str; 2] = [&sphere_path, &plane_path];
         let origin = |property: Property| value_origin(property, sphere, pair);
         let written = ForceValues { numbers: &values, origin: &origin };
-        let node = nodes::force(model.document(), wanted.to, &name, &surfaces, &written, force.applies)
-            .map_err(|fault| Fault::at(fault.kind, span.start).at_element(force.path.clone()))?;
-        let written = node.text(&space, unit);
-        // The first begins where the old one did.
-        text.push_str(if index == 0 {
-            written.strip_prefix(space.as_str()).unwrap_or(&written)
-        } else {
-            &written
-        });
+        let node = nodes::force(document, wanted.to, &name, surfaces, &written, force.applies, list);
+        let node = node.map_err(|fault| Fault::at(fault.kind, span.start).at_element(force.path.clone()))?;
+        text.push_str(&node.text(&space, unit));
         let path = format!("{}/{name}", force.path.rsplit_once('/').map_or("", |(set, _)| set));
-        let made = ObjectChange::new(
-            ObjectAction::Added,
-            wanted.to.as_str(),
-            [&name, &path],
-            sphere.body.as_deref(),
-        );
-        objects.push(ObjectChange { parameters: values_of_class(wanted.to, values), ..made });
+        let body = sphere.body.as_deref();
+        let made = ObjectChange::new(ObjectAction::Added, wanted.to.as_str(), [&name, &path], body);
+        objects.push(ObjectChange { parameters: values, ..made });
     }
+    // The first begins where the old one did.
+    let text = text.strip_prefix(space.as_str()).unwrap_or(&text).to_owned();
     Ok((Edit { span, text }, objects))
 }
 
@@ -288,14 +264,6 @@ fn value_origin(property: Property, sphere: &Sphere, pair: &SpherePlanePair) -> 
     }
 }
 
-/// The properties among `values` that forces of `kind` have.
-fn values_of_class(kind: ForceKind, mut values: Vec<(Property, f64)>) -> Vec<(Property, f64)> {
-    if kind == ForceKind::HuntCrossley {
-        values.retain(|(property, _)| !SMOOTHING_PROPERTIES.contains(property));
-    }
-    values
-}
-
 /// Adds smoothing parameters to a force that has none.
 pub(super) fn add_smoothing(
     values: &mut Vec<(Property, f64)>,
@@ -306,19 +274,11 @@ pub(super) fn add_smoothing(
     let radius = radius_m / human.scale.radius_m();
     let ratios = Ratios::new(RatioValues { mass: 1.0, sphere_count: 1.0, radius, gravity: 1.0 });
     let ratios = ratios.map_err(Fault::new)?;
-    let base = human.contact.smoothing().unwrap_or(SmoothingValues::OPENSIM_DEFAULT);
+    let Some(scaled) = human.contact.scaled(&ratios).smoothing() else { return Ok(()) };
     let own = [
-        (
-            Property::ConstantContactForce,
-            wanted.constant_contact_force,
-            base.constant_contact_force * ratios.constant_contact_force(),
-        ),
-        (Property::HertzSmoothing, wanted.hertz_smoothing, base.hertz_smoothing * ratios.hertz_smoothing()),
-        (
-            Property::HuntCrossleySmoothing,
-            wanted.hunt_crossley_smoothing,
-            base.hunt_crossley_smoothing * ratios.hunt_crossley_smoothing(),
-        ),
+        (Property::ConstantContactForce, wanted.constant_contact_force, scaled.constant_contact_force),
+        (Property::HertzSmoothing, wanted.hertz_smoothing, scaled.hertz_smoothing),
+        (Property::HuntCrossleySmoothing, wanted.hunt_crossley_smoothing, scaled.hunt_crossley_smoothing),
     ];
     for (property, given, scaled) in own {
         let value = given.unwrap_or(scaled);

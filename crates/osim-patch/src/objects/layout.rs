@@ -88,12 +88,8 @@ impl ContactLayout {
     /// A `constant_contact_force` of 0 ([`FaultKind::ZeroConstantContactForce`]), with the name of its force.
     pub fn check(&self) -> Result<(), Fault> {
         let zero = |contact: &&NewContact| contact.values.contains(&(Property::ConstantContactForce, 0.0));
-        match self.contacts.iter().find(zero) {
-            Some(contact) => {
-                Err(Fault::new(FaultKind::ZeroConstantContactForce).at_element(contact.force.clone()))
-            }
-            None => Ok(()),
-        }
+        let Some(contact) = self.contacts.iter().find(zero) else { return Ok(()) };
+        Err(Fault::new(FaultKind::ZeroConstantContactForce).at_element(contact.force.clone()))
     }
 
     /// `anatomy` with the spheres of this layout instead of its own spheres.
@@ -316,13 +312,8 @@ fn refuse_repeated_pair(model: &Model, force: &Force) -> Result<(), Fault> {
 }
 
 fn values_of_set(force: &Force, set: SetId) -> Result<Vec<(Property, f64)>, Fault> {
-    let mut values = Vec::new();
-    for property in Property::ALL {
-        if let Some(value) = force.checked(set, property)? {
-            values.push((property, value));
-        }
-    }
-    Ok(values)
+    let value = |property| Some(force.checked(set, property).transpose()?.map(|value| (property, value)));
+    Property::ALL.into_iter().filter_map(value).collect()
 }
 
 /// Modulus and α of two surfaces by (A.3) and (A.4); for each coefficient of friction the value that Simbody uses, 2ab/(a + b).

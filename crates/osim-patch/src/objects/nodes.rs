@@ -81,16 +81,9 @@ pub(super) struct ForceValues<'v> {
     pub(super) origin: &'v dyn Fn(Property) -> String,
 }
 
-/// The two surfaces of a new force.
-pub(super) struct SurfacePaths<'s> {
-    /// Component path of the sphere.
-    pub(super) sphere: &'s str,
-    /// Component path of the half-space.
-    pub(super) plane: &'s str,
-}
-
-/// The element of a force of `kind` between one sphere and one half-space, with the given values. The `<defaults>` of `document`
-/// must not change the force: for a property that is in the defaults and not in `values`, OpenSim's own default is written.
+/// The element of a force of `kind` between one sphere and one half-space, which are given by their component paths, with the given
+/// values. The `<defaults>` of `document` must not change the force: for a property that is in the defaults and not in `values`,
+/// OpenSim's own default is written. The list of a `HuntCrossleyForce` calls the surfaces by `names`.
 ///
 /// # Errors
 /// A value that is not finite, or outside the domain in which the contact laws hold.
@@ -98,9 +91,10 @@ pub(super) fn force(
     document: &Document,
     kind: ForceKind,
     name: &str,
-    surfaces: &SurfacePaths<'_>,
+    [sphere, plane]: [&str; 2],
     values: &ForceValues<'_>,
     applies: bool,
+    names: &NamesInList,
 ) -> Result<NewElement, Fault> {
     let values_of = |class: Class| {
         let value = |property: Property| {
@@ -109,10 +103,8 @@ pub(super) fn force(
         };
         let leaf = |&property: &Property| {
             let text = change::number_text(value(property)?, property, || (values.origin)(property));
-            Some(
-                text.map(|text| NewElement::leaf(property.name(), text))
-                    .map_err(|fault| fault.at_element(name)),
-            )
+            let leaf = text.map(|text| NewElement::leaf(property.name(), text));
+            Some(leaf.map_err(|fault| fault.at_element(name)))
         };
         class.parameters().iter().filter_map(leaf).collect::<Result<Vec<_>, _>>()
     };
@@ -122,19 +114,13 @@ pub(super) fn force(
     };
     Ok(match kind {
         ForceKind::HuntCrossley => {
-            let geometry =
-                format!("{} {}", escaped_attribute(surfaces.sphere), escaped_attribute(surfaces.plane));
-            let mut parameters = vec![NewElement::leaf("geometry", geometry)];
+            let geometry = [sphere, plane].map(|path| escaped_attribute(names.name_of(path)));
+            let mut parameters = vec![NewElement::leaf("geometry", geometry.join(" "))];
             parameters.extend(values_of(Class::ContactParameters)?);
-            let list = NewElement::parent(
-                "objects",
-                vec![NewElement::parent(Class::ContactParameters.tag(), parameters)],
-            );
-            let set = NewElement::object(
-                "HuntCrossleyForce::ContactParametersSet",
-                "contact_parameters",
-                vec![list],
-            );
+            let parameters = NewElement::parent(Class::ContactParameters.tag(), parameters);
+            let list = NewElement::parent("objects", vec![parameters]);
+            let set = "HuntCrossleyForce::ContactParametersSet";
+            let set = NewElement::object(set, "contact_parameters", vec![list]);
             let mut children: Vec<NewElement> = on_or_off(Class::HuntCrossleyForce).into_iter().collect();
             children.push(set);
             children.extend(values_of(Class::HuntCrossleyForce)?);
@@ -142,8 +128,8 @@ pub(super) fn force(
         }
         _ => {
             let mut children = vec![
-                NewElement::leaf("socket_sphere", escaped_attribute(surfaces.sphere)),
-                NewElement::leaf("socket_half_space", escaped_attribute(surfaces.plane)),
+                NewElement::leaf("socket_sphere", escaped_attribute(sphere)),
+                NewElement::leaf("socket_half_space", escaped_attribute(plane)),
             ];
             children.extend(on_or_off(Class::SmoothSphereHalfSpaceForce));
             children.extend(values_of(Class::SmoothSphereHalfSpaceForce)?);
@@ -233,7 +219,7 @@ impl SurfacesInsideForces {
         let parent_frame =
             ParentFrame { name: sphere.body.as_deref().unwrap_or("ground"), path: &sphere.frame };
         self.geometry.push(sphere_element(model.document().version(), &parent_frame, &contact)?);
-        Ok(self.record_added("ContactSphere", contact.sphere, sphere.body.clone()))
+        Ok(self.record_added("ContactSphere", &contact.sphere, sphere.body.as_deref()))
     }
 
     /// Moves the half-space inside a force to the geometry set, and returns its new path.
@@ -258,16 +244,15 @@ impl SurfacesInsideForces {
             ParentFrame { name: plane.body.as_deref().unwrap_or("ground"), path: &plane.frame_path };
         let version = model.document().version();
         self.geometry.push(half_space_element(version, &parent_frame, &name, [location_m, angles_rad])?);
-        let path = self.record_added("ContactHalfSpace", name, plane.body.clone());
+        let path = self.record_added("ContactHalfSpace", &name, plane.body.as_deref());
         self.planes.insert(key, path.clone());
         Ok(path)
     }
 
     /// Records a new object of the geometry set and returns its path.
-    fn record_added(&mut self, class: &'static str, name: String, body: Option<String>) -> String {
+    fn record_added(&mut self, class: &'static str, name: &str, body: Option<&str>) -> String {
         let path = format!("/contactgeometryset/{name}");
-        let (action, parameters) = (ObjectAction::Added, Vec::new());
-        self.objects.push(ObjectChange { action, class, name, path: path.clone(), body, parameters });
+        self.objects.push(ObjectChange::new(ObjectAction::Added, class, [name, &path], body));
         path
     }
 

@@ -9,6 +9,7 @@ use osim_model::{
     Model, Note, OTHER_CONTACT_CLASSES, Selected, SphereId, Tree, moving_spheres, opensim_text,
 };
 
+use crate::builder::refuse_included;
 use crate::edit::{Edit, model_with_edits};
 use crate::insert::with_white_space_before;
 use crate::objects::add::MARK_OF_MADE_FLOOR;
@@ -37,7 +38,7 @@ pub fn remove(model: &Model, selected: &Selected, others: &[ComponentId]) -> Res
         |class, of: [&str; 2], body: Option<&str>| ObjectChange::new(ObjectAction::Removed, class, of, body);
     let mut spheres: BTreeSet<SphereId> = BTreeSet::new();
     for force in selected.forces.iter().filter_map(|&id| model.force(id)) {
-        refuse_other_file(model, force.file, &force.path)?;
+        refuse_included(model, force.file, &force.path)?;
         elements.push(force.element());
         let moving = moving_spheres(model, &[force.id]).into_iter().filter_map(|id| model.sphere(id));
         let body = moving.clone().find_map(|sphere| sphere.body.clone());
@@ -47,7 +48,7 @@ pub fn remove(model: &Model, selected: &Selected, others: &[ComponentId]) -> Res
     spheres.retain(|sphere| !used.contains(sphere));
     let mut going_names: HashSet<String> = HashSet::new();
     for sphere in spheres.iter().filter_map(|&id| model.sphere(id)) {
-        refuse_other_file(model, sphere.file, &sphere.path)?;
+        refuse_included(model, sphere.file, &sphere.path)?;
         elements.push(sphere.element());
         going_names.insert(sphere.name.clone());
         objects.push(removed(sphere.class().tag(), [&sphere.name, &sphere.path], sphere.body.as_deref()));
@@ -93,7 +94,7 @@ fn remove_others(
     let components = model.components();
     let mut add = |id: ComponentId| -> Result<(), Fault> {
         let (path, name) = (components.tree.path(id), components.name(id));
-        refuse_other_file(model, components.file_of(id), &path)?;
+        refuse_included(model, components.file_of(id), &path)?;
         elements.push(components.element(id));
         let mut classes = OTHER_CONTACT_CLASSES.into_iter().chain(GEOMETRY_CLASSES);
         let class = classes.find(|class| *class == components.tag(id)).unwrap_or_default();
@@ -115,17 +116,6 @@ fn remove_others(
         }
     }
     Ok(())
-}
-
-/// Refuses to remove an object that is in an included file.
-fn refuse_other_file(model: &Model, file: FileId, path: &str) -> Result<(), Fault> {
-    match model.included_file(file) {
-        Some(included) => {
-            let kind = FaultKind::IncludedFile { path: path.to_owned(), file: included.to_owned() };
-            Err(Fault::new(kind).at_element(path))
-        }
-        None => Ok(()),
-    }
 }
 
 /// The forces that were added to `model` and are recorded in its note; `None` if the note has no such record.

@@ -1,6 +1,6 @@
 //! Writes the paths of sockets whose paths lead nowhere.
 
-use osim_model::{ElementId, Fault, Irregularity, Model};
+use osim_model::{Fault, Irregularity, Model};
 
 use crate::edit::{Edit, model_with_edits};
 use crate::insert::escaped_attribute;
@@ -24,16 +24,13 @@ const SOCKET_TAGS: [&str; 7] = [
 pub fn connect_sockets(model: &Model) -> Result<RebuiltModel, Fault> {
     let tree = model.document().tree();
     let (mut edits, mut objects) = (Vec::new(), Vec::new());
-    let mut connect = |owner: &str, taken: &str, socket: ElementId| {
-        let tag = tree.name(socket);
-        edits.push(Edit { span: tree.raw_text(socket).span, text: escaped_attribute(taken) });
-        let class = SOCKET_TAGS.into_iter().find(|known| *known == tag).unwrap_or("socket");
-        let name = owner.rsplit('/').next().unwrap_or_default();
-        objects.push(ObjectChange::new(ObjectAction::Connected, class, [name, owner], Some(taken)));
-    };
     for irregularity in &model.irregularities {
         if let Irregularity::TakenByName { owner, taken, socket: Some(socket), .. } = irregularity {
-            connect(owner, taken, *socket);
+            let tag = tree.name(*socket);
+            edits.push(Edit { span: tree.raw_text(*socket).span, text: escaped_attribute(taken) });
+            let class = SOCKET_TAGS.into_iter().find(|known| *known == tag).unwrap_or("socket");
+            let name = owner.rsplit('/').next().unwrap_or_default();
+            objects.push(ObjectChange::new(ObjectAction::Connected, class, [name, owner], Some(taken)));
         }
     }
     let mut rebuilt = RebuiltModel::new(model_with_edits(model, edits)?, objects, String::new());
