@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use osim_model::{Fault, FaultKind, FileId, Model};
+use osim_model::{Fault, FaultKind, Model};
 
 /// Replaces a span of bytes by a text; with an empty span, inserts the text. [`splice`] applies edits to bytes; [`Patch`] does so
 /// without a copy.
@@ -88,17 +88,8 @@ pub fn splice(bytes: &[u8], edits: &[Edit]) -> Result<Vec<u8>, Fault> {
 
 /// `model` read again with `edits` in its main file; an error if any edit fails.
 pub(crate) fn model_with_edits(model: &Model, edits: Vec<Edit>) -> Result<Model, Fault> {
-    model_with_edits_in_files(model, edits, &[])
-}
-
-/// `model` read again after `edits` in its main file, and with new bytes of its other files.
-pub(crate) fn model_with_edits_in_files(
-    model: &Model,
-    edits: Vec<Edit>,
-    others: &[(FileId, Vec<u8>)],
-) -> Result<Model, Fault> {
     let patch = Patch::new(model.document().bytes(), edits)?;
-    model.read_again(patch.to_vec(), others)
+    model.read_again(patch.to_vec(), &[])
 }
 
 #[cfg(test)]

@@ -93,8 +93,8 @@ pub(crate) fn insert(tree: &Tree, parent: ElementId, order: &[&str], nodes: &[Ne
         }
         if children.is_empty() {
             // Only comments in it: OpenSim's "All properties of this object have their default values."
-            let comment = comment_spans(tree, parent).next_back();
-            let span = comment.unwrap_or_else(|| tree.open_span(parent));
+            let comment = tree.content(parent).rfind(|piece| piece.kind == PieceKind::Comment);
+            let span = comment.map_or_else(|| tree.open_span(parent), |piece| piece.span);
             return (span.end, white_space_before(tree, span.start));
         }
         // Nothing that comes before: put it first.
@@ -159,7 +159,7 @@ pub(crate) fn indentation_unit(tree: &Tree, parent: ElementId) -> &str {
 /// Blanks and tabs between the start of the line and byte `at`; empty if other text is there.
 fn indentation_of(tree: &Tree, at: usize) -> &str {
     let before = tree.slice(0..at);
-    indentation(&before[before.trim_ascii_end().len()..])
+    before[before.trim_ascii_end().len()..].rsplit('\n').next().unwrap_or_default()
 }
 
 /// Inserts `comment` as the first child of `parent`.
@@ -196,16 +196,6 @@ pub(crate) fn white_space_before(tree: &Tree, at: usize) -> String {
     }
 }
 
-/// The last line of the white space `space`, without its line end.
-fn indentation(space: &str) -> &str {
-    space.rsplit('\n').next().unwrap_or_default()
-}
-
-/// The bytes of the comments inside an element.
-fn comment_spans(tree: &Tree, parent: ElementId) -> impl DoubleEndedIterator<Item = Range<usize>> + '_ {
-    tree.content(parent).filter(|piece| piece.kind == PieceKind::Comment).map(|piece| piece.span)
-}
-
 /// An element without content, and the white space for its children.
 struct EmptyElement<'t> {
     name: &'t str,
@@ -221,8 +211,7 @@ struct EmptyElement<'t> {
 impl<'t> EmptyElement<'t> {
     /// The element `parent`, if it has no content.
     fn read(tree: &'t Tree, parent: ElementId) -> Option<Self> {
-        let nothing = tree.content(parent).all(|piece| is_white(piece.text));
-        if !nothing {
+        if !tree.content(parent).all(|piece| is_white(piece.text)) {
             return None;
         }
         let outer = white_space_before(tree, tree.span(parent).start);
@@ -232,23 +221,15 @@ impl<'t> EmptyElement<'t> {
             true => (end_of_empty_tag(tree, parent).start, ">"),
             false => (tree.open_span(parent).end, ""),
         };
-        Some(Self {
-            name: tree.name(parent),
-            span: start..tree.span(parent).end,
-            closes_tag,
-            outer,
-            inner,
-            unit,
-        })
+        let (name, span) = (tree.name(parent), start..tree.span(parent).end);
+        Some(Self { name, span, closes_tag, outer, inner, unit })
     }
 
     /// Puts `nodes` into the element.
     fn fill(&self, nodes: &[&NewElement]) -> Edit {
         let text: String = nodes.iter().map(|node| node.text(&self.inner, &self.unit)).collect();
-        Edit {
-            span: self.span.clone(),
-            text: format!("{}{text}{}</{}>", self.closes_tag, self.outer, self.name),
-        }
+        let text = format!("{}{text}{}</{}>", self.closes_tag, self.outer, self.name);
+        Edit { span: self.span.clone(), text }
     }
 }
 

@@ -60,13 +60,10 @@ pub fn note_stance_limbs(model: &Model, stance_limbs: f64) -> Plan {
         operation: "note",
         followed: None,
     };
-    let taken = format!(
-        "{}: the note in the file says so; no number changes",
-        note_edits::limbs_in_words(stance_limbs)
-    );
+    let limbs = note_edits::limbs_in_words(stance_limbs);
+    let taken = format!("{limbs}: the note in the file says so; no number changes");
     let plan = Plan::new(model, Plan { taken: taken.into(), ..Plan::default() }, &facts);
-    let same = format!("the note in the file says {} already", note_edits::limbs_in_words(stance_limbs));
-    with_new_note(plan, model, Some(stance_limbs), same)
+    with_new_note(plan, model, Some(stance_limbs), format!("the note in the file says {limbs} already"))
 }
 
 /// `plan` with its new note. If the present note has the same content, `plan` without a note and with the finding `same`.

@@ -45,11 +45,13 @@ pub(crate) fn made_letters(model: &Model, followed: Option<&BTreeSet<SphereId>>)
     if followed.map_or(was_placed, follow) {
         letters.insert(Note::PLACED_MARK);
     }
-    letters.extend(if adds_credits(document) {
-        Some(MADE_CREDITS_MARK)
-    } else {
-        opened_credits_letter(document)
-    });
+    // The letter for the form of an empty `<credits>` that the note opens.
+    let opened = || {
+        let credits = Credits::of(document).ok()??;
+        let form = EmptyForm::of(document.tree(), credits.element);
+        OPENED_MARKS.into_iter().find(|(_, known)| *known == form).map(|(letter, _)| letter)
+    };
+    letters.extend(if adds_credits(document) { Some(MADE_CREDITS_MARK) } else { opened() });
     if letters.is_empty() { Note::nothing_added() } else { letters.into_iter().collect() }
 }
 
@@ -70,13 +72,6 @@ pub(crate) fn letters_without_earlier(made: &str, earlier: &str) -> String {
 /// Whether all spheres are at the places that the note records.
 fn is_unmoved(note: &Note, model: &Model) -> bool {
     model.has_places_of(note) == Some(true)
-}
-
-/// The letter in a note for the form of an empty `<credits>` that the note opens; `None` if it does not.
-fn opened_credits_letter(document: &Document) -> Option<char> {
-    let credits = Credits::of(document).ok()??;
-    let form = EmptyForm::of(document.tree(), credits.element);
-    OPENED_MARKS.into_iter().find(|(_, known)| *known == form).map(|(letter, _)| letter)
 }
 
 /// Sizes of the bodies for which the spheres are placed. A body has today's size if all its spheres moved with it (`followed`),
@@ -221,12 +216,6 @@ pub struct StepDetails {
     pub stance_limbs: Option<f64>,
     /// The date, such as `2026-11-25`, if known.
     pub date: Option<String>,
-}
-
-/// The steps of the note in `model` with `step` at the end; only `step` if the contacts are new (`is_new`), because earlier steps
-/// are about other contacts.
-pub(crate) fn continued_steps(model: &Model, step: Step, is_new: bool) -> Vec<Step> {
-    steps_after(if is_new { Vec::new() } else { earlier_steps(model) }, step)
 }
 
 /// The steps of the note in `model`, with a step [`STEP_OF_OTHER_PROGRAMS`] at the end if values were changed since the note.

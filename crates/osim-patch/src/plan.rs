@@ -12,7 +12,7 @@ use osim_model::{
 };
 
 use crate::change::{ChangedBy, NumberChange, PlaceChange};
-use crate::edit::{Edit, Patch, model_with_edits_in_files};
+use crate::edit::{Edit, Patch};
 use crate::insert::{NewElement, insert};
 use crate::note_edits::{self, StepDetails};
 use crate::objects::{EarlierNote, ObjectChange, RebuiltModel};
@@ -229,16 +229,15 @@ impl Plan {
         let is_other = |masses: &&Masses| !is_at_target(masses.contacts_mass.kg, masses.target_mass_kg);
         let from_mass_kg = plan.masses.as_ref().filter(is_other).map(|masses| masses.contacts_mass.kg);
         let step = Step { from_mass_kg, ..Step::new(facts.operation) };
+        // Earlier steps are about other contacts if all contacts are new.
+        let is_new = facts.operation == TRANSFER_OPERATION && facts.scope == Scope::All;
+        let earlier = if is_new { Vec::new() } else { note_edits::earlier_steps(model) };
         let note = Some(Note {
             version: env!("CARGO_PKG_VERSION").to_owned(),
             contacts_mass_kg: facts.target_mass_kg.map(rounded_to_15_digits),
             gravity_m_s2: facts.gravity_m_s2,
             scope: facts.scope,
-            steps: note_edits::continued_steps(
-                model,
-                step,
-                facts.operation == TRANSFER_OPERATION && facts.scope == Scope::All,
-            ),
+            steps: note_edits::steps_after(earlier, step),
             stance_limbs: model.note.as_ref().and_then(|note| note.stance_limbs),
             weighed_kg: MassRequest::default().bodies_kg(model).map(rounded_to_15_digits),
             sizes: note_edits::noted_sizes(model, facts.followed),
@@ -287,13 +286,6 @@ impl Plan {
     /// Whether the plan removes everything that the program added to the model, so that the file is the original again.
     pub fn restores_original(&self) -> bool {
         self.rebuilt.as_ref().is_some_and(|rebuilt| rebuilt.earlier_note == EarlierNote::TakenOut)
-    }
-
-    /// Records in the note the digest of the spheres' places.
-    pub(crate) fn note_places(&mut self, places: String) {
-        if let Some(note) = &mut self.note {
-            note.places = Some(places);
-        }
     }
 
     /// The model in which numbers change: `model`, or the model with objects added or removed.
@@ -401,7 +393,7 @@ impl Plan {
         let others = self.files(model).filter(|&file| file != FileId::MAIN);
         let others =
             others.map(|file| Ok((file, self.patched(model, file)?))).collect::<Result<Vec<_>, Fault>>()?;
-        model_with_edits_in_files(self.base_model(model), self.edits(model, FileId::MAIN)?, &others)
+        self.base_model(model).read_again(self.patched(model, FileId::MAIN)?, &others)
     }
 
     /// The new model for inspection only: its numbers and note are new, but its positions in the file are the old ones.

@@ -4,8 +4,8 @@ use contact_scaling::{RatioValues, Ratios};
 use osim_model::compare::ScaleFile;
 use osim_model::messages::{Input, readable};
 use osim_model::{
-    DissipationBy, Fault, ForceId, GravityFor, LevelAxis, Mass, MissingFact, Model, Property, PropertySet,
-    RadiusRule, Scope, Selected, SetId, is_at_target, positive_mass,
+    DissipationBy, Fault, GravityFor, LevelAxis, Mass, MissingFact, Model, Property, PropertySet, RadiusRule,
+    Scope, Selected, is_at_target, positive_mass,
 };
 
 use crate::builder::{NewNumber, PlanBuilder};
@@ -146,13 +146,8 @@ pub fn rescale(model: &Model, selected: &Selected, wanted: &Rescale) -> Result<P
     // A mass within a thousandth is the same: numbers stay, and only spheres move.
     let mass = if is_there && wanted.bodies.is_some() { 1.0 } else { target_mass_kg / contacts_mass_kg };
     let isometric = Ratios::isometric(mass).map_err(Fault::new)?.radius();
-    let radii = Radii::plan(
-        &mut plan,
-        &selected.forces,
-        |_| SphereRadiusRule::Rule(wanted.radius),
-        isometric,
-        &wanted.properties,
-    )?;
+    let rule = |_| SphereRadiusRule::Rule(wanted.radius);
+    let radii = Radii::plan(&mut plan, &selected.forces, rule, isometric, &wanted.properties)?;
     match (&wanted.bodies, wanted.level) {
         (Some(bodies), level) => radii.follow_bodies(&mut plan, &selected.forces, bodies, level)?,
         (None, Some(axis)) => radii.keep_bottoms(&mut plan, axis)?,
@@ -163,7 +158,15 @@ pub fn rescale(model: &Model, selected: &Selected, wanted: &Rescale) -> Result<P
         let values = RatioValues { mass, sphere_count: 1.0, radius: radii.ratio(model, force), gravity };
         let ratios = Ratios::new(values).map_err(Fault::new)?;
         for set in &force.sets {
-            scale_set(&mut plan, force.id, set.id, &ratios, wanted)?;
+            for property in Property::ALL.into_iter().filter(|&one| wanted.properties.contains(one)) {
+                let scaled = property_factor(property, &ratios, wanted.dissipation_by);
+                let Some((factor, by)) = scaled else { continue };
+                let Some(from) = model.parameter(force.id, set.id, property)? else { continue };
+                if property == Property::Dissipation {
+                    rules::remark_on_dissipation(&mut plan.remarks, &ratios, from);
+                }
+                plan.change_parameter(force.id, set.id, property, NewNumber::multiplied(from, factor, by))?;
+            }
         }
     }
     if plan.changes.is_empty() && plan.moves.is_empty() {
@@ -171,26 +174,6 @@ pub fn rescale(model: &Model, selected: &Selected, wanted: &Rescale) -> Result<P
         plan.findings.push(rules::nothing_to_change(text));
     }
     Ok(plan_with_note_and_remarks(plan, wanted, selected, Some(&radii), change))
-}
-
-/// Plans the rescaling of one parameter set of a force.
-fn scale_set(
-    plan: &mut PlanBuilder<'_>,
-    force: ForceId,
-    set: SetId,
-    ratios: &Ratios,
-    wanted: &Rescale,
-) -> Result<(), Fault> {
-    for property in Property::ALL.into_iter().filter(|&property| wanted.properties.contains(property)) {
-        let Some((factor, by)) = property_factor(property, ratios, wanted.dissipation_by) else { continue };
-        if let Some(from) = plan.model.parameter(force, set, property)? {
-            if property == Property::Dissipation {
-                rules::remark_on_dissipation(&mut plan.remarks, ratios, from);
-            }
-            plan.change_parameter(force, set, property, NewNumber::multiplied(from, factor, by))?;
-        }
-    }
-    Ok(())
 }
 
 /// Gravity that the contacts were made for. If a factor depends on it and the note is in doubt, the note's gravity is not used.

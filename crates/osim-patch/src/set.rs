@@ -193,14 +193,15 @@ impl Plan {
         for &(sphere, location_m) in places {
             builder.move_sphere(sphere, location_m, ChangedBy::Level)?;
         }
-        let new: Vec<PlaceChange> = builder.moves;
-        let mut moves: Vec<PlaceChange> =
-            self.moves.iter().filter(|old| !paths.contains(&old.path)).cloned().chain(new).collect();
+        let old = self.moves.iter().filter(|old| !paths.contains(&old.path)).cloned();
+        let mut moves: Vec<PlaceChange> = old.chain(builder.moves).collect();
         moves.sort_by_key(|one| (one.slot.file, one.slot.offset));
         let moved: HashMap<&str, [f64; 3]> = moves.iter().map(|one| (one.path.as_str(), one.to)).collect();
         let places = ground.places_digest(|sphere| moved.get(sphere.path.as_str()).copied());
         self.moves = moves;
-        self.note_places(places);
+        if let Some(note) = &mut self.note {
+            note.places = Some(places);
+        }
         self.remarks.push(REMARK_LEVEL_FEET.into());
         Ok(())
     }
