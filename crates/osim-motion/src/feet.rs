@@ -2,7 +2,7 @@
 
 use std::ops::RangeInclusive;
 
-use osim_model::{ForceId, Limb, Model, Side};
+use osim_model::{DVec3, ForceId, Limb, Model, Side};
 
 use crate::pair::ContactPair;
 use crate::states::{ContactState, ContactStates};
@@ -19,6 +19,13 @@ pub struct Foot {
 }
 
 impl Foot {
+    /// The normal of the floor under the foot, and a point of this floor, m.
+    pub(crate) fn floor(&self, states: &ContactStates) -> Option<(DVec3, DVec3)> {
+        let &pair = self.pairs.first()?;
+        let state = states.frame(0).get(pair)?;
+        Some((state.normal, state.on_surface_m(states.pairs.get(pair)?.radius_m)))
+    }
+
     /// The feet of `model`, one for each limb with applied `forces`; if limbs are not known, one for each side in the names
     /// of the spheres' bodies.
     pub fn all(model: &Model, states: &ContactStates, forces: &[ForceId]) -> Vec<Self> {

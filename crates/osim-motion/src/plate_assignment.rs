@@ -138,11 +138,9 @@ impl MeasuredForces {
                     }
                 }
                 // The force under each candidate is unknown if the plate has no data, or its foot is unknown.
-                (Some(AssignedBy::Nearest), None) | (None, _) => {
-                    may_be_on.iter().for_each(|&foot| add_to_frame(&mut self.feet[foot], frame, None));
-                }
-                (Some(_), _) => {
-                    may_be_on.iter().for_each(|&foot| add_to_frame(&mut self.feet[foot], frame, wrench));
+                (by, wrench) => {
+                    let known = wrench.filter(|_| by.is_some());
+                    may_be_on.iter().for_each(|&foot| add_to_frame(&mut self.feet[foot], frame, known));
                 }
             }
         }

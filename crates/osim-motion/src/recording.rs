@@ -2,8 +2,8 @@
 
 use butterworth::{Cutoff, Filter};
 use gcv_spline::GcvSpline;
+use osim_model::Model;
 use osim_model::feet::{Coupler, Couplers};
-use osim_model::{Model, ModelJoint};
 
 use crate::coordinates::{
     CoordinateColumns, CoordinateKind, ModelCoordinate, columns_by_coordinate, model_coordinates,
@@ -75,6 +75,11 @@ impl Recording {
             return Err(no_column_fits(&coordinates, table));
         }
         let angles = angle_unit(&coordinates, &columns, table, options)?;
+        // Coordinates without a column have speed 0.
+        let has_speed = |columns: &CoordinateColumns<'_>| columns.value.is_none() || columns.speed.is_some();
+        let are_given = |columns: &[CoordinateColumns<'_>]| {
+            options.low_pass_hz.is_none() && columns.iter().all(has_speed)
+        };
         let mut recording = Self {
             time_s: table.time_s.clone(),
             facts: RecordingFacts {
@@ -83,8 +88,7 @@ impl Recording {
                 unused,
                 kept: Vec::new(),
                 coupled: Vec::new(),
-                speeds_given: options.low_pass_hz.is_none()
-                    && columns.iter().all(|column| column.value.is_none() || column.speed.is_some()),
+                speeds_given: are_given(&columns),
                 unenforced: Vec::new(),
             },
             values: vec![0.0; table.rows() * coordinates.len()],
@@ -92,7 +96,17 @@ impl Recording {
             has_opensim_speeds: Vec::new(),
             coordinates,
         };
-        recording.read_columns(table, &columns, joints, options)?;
+        let mut start = 0;
+        for joint in joints {
+            let end = start + joint.coordinates.len();
+            let of_joint = columns.get(start..end).unwrap_or_default();
+            let given = are_given(of_joint);
+            recording.has_opensim_speeds.push(given && !of_joint.is_empty());
+            for (index, columns) in (start..end).zip(of_joint) {
+                recording.read_coordinate(table, index, columns, given, options)?;
+            }
+            start = end;
+        }
         recording.apply_couplers(&Couplers::of(model))?;
         Ok(recording)
     }
@@ -165,31 +179,6 @@ impl Recording {
         Ok(all)
     }
 
-    /// Reads the coordinates of each joint from their columns.
-    fn read_columns(
-        &mut self,
-        table: &Table,
-        columns: &[CoordinateColumns<'_>],
-        joints: &[ModelJoint],
-        options: &RecordingOptions,
-    ) -> Result<(), MotionFault> {
-        let mut start = 0;
-        for joint in joints {
-            let end = start + joint.coordinates.len();
-            let of_joint = columns.get(start..end).unwrap_or_default();
-            // Coordinates without a column have speed 0.
-            let has_speed =
-                |columns: &CoordinateColumns<'_>| columns.value.is_none() || columns.speed.is_some();
-            let given = options.low_pass_hz.is_none() && of_joint.iter().all(has_speed);
-            self.has_opensim_speeds.push(given && !of_joint.is_empty());
-            for (index, columns) in (start..end).zip(of_joint) {
-                self.read_coordinate(table, index, columns, given, options)?;
-            }
-            start = end;
-        }
-        Ok(())
-    }
-
     /// Reads one coordinate from its column; without one it has its prescribed value or its default.
     fn read_coordinate(
         &mut self,
@@ -207,7 +196,7 @@ impl Recording {
         };
         let in_si = |values: &[f64]| -> Vec<f64> { values.iter().map(|value| value * unit).collect() };
         let Some(column) = columns.value else {
-            let kept = match &coordinate.prescribed {
+            let (values, speeds): (Vec<f64>, Vec<f64>) = match &coordinate.prescribed {
                 Some(Some(function)) => {
                     let at = |time: &f64| (function.value(*time), function.slope(*time));
                     self.time_s.iter().map(at).unzip()
@@ -215,7 +204,6 @@ impl Recording {
                 Some(None) => (vec![f64::NAN; table.rows()], vec![f64::NAN; table.rows()]),
                 None => (vec![coordinate.default.unwrap_or(f64::NAN); table.rows()], vec![0.0; table.rows()]),
             };
-            let (values, speeds): (Vec<f64>, Vec<f64>) = kept;
             self.facts.kept.push(name);
             self.set_coordinate(index, &values, &speeds);
             return Ok(());

@@ -243,10 +243,8 @@ fn comparison_plane(
     weight_n: f64,
     has_points: bool,
 ) -> Option<ComparisonPlane> {
-    let &pair = foot.pairs.first()?;
-    let (state, radius_m) = (states.frame(0).get(pair)?, states.pairs.get(pair)?.radius_m);
-    let point_m = state.on_surface_m(radius_m);
-    Some(ComparisonPlane { normal: state.normal, point_m, least_n: TOUCH_DOWN_BW * weight_n, has_points })
+    let (normal, point_m) = foot.floor(states)?;
+    Some(ComparisonPlane { normal, point_m, least_n: TOUCH_DOWN_BW * weight_n, has_points })
 }
 
 impl StanceSummary {

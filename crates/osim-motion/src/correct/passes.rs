@@ -94,14 +94,17 @@ pub fn correct(
     options: &CorrectionOptions,
 ) -> Result<Correction, CorrectionError> {
     let couplers = Couplers::of(model);
-    let unmoved = with_locked_coordinates_at_defaults(recording, &couplers)?;
-    let first = feet.first().and_then(|foot| foot.pairs.first()).copied();
-    let (normal, on_floor_m) = first
-        .and_then(|pair| {
-            let state = states.frame(0).get(pair)?;
-            Some((state.normal, state.on_surface_m(states.pairs.get(pair)?.radius_m)))
-        })
-        .ok_or(CorrectionError::NoForce)?;
+    // Locked coordinates are at their defaults, and speeds follow from the values, as OpenSim's tools take them.
+    let locked = recording.changed(&couplers, |_, values, _| {
+        for (value, coordinate) in values.iter_mut().zip(&recording.coordinates) {
+            if let Some(default) = coordinate.default.filter(|_| coordinate.locked) {
+                *value = default;
+            }
+        }
+    })?;
+    let unmoved = locked.with_splined_speeds(&couplers)?;
+    let floor = feet.first().and_then(|foot| foot.floor(states));
+    let (normal, on_floor_m) = floor.ok_or(CorrectionError::NoForce)?;
     let forward = (DVec3::X - normal * normal.x).try_normalize().unwrap_or(DVec3::Z);
     let level = [forward, forward.cross(normal)];
     let found = find_coordinates(model, &unmoved, &couplers, states, (feet, normal))?;
@@ -231,21 +234,6 @@ impl Search<'_> {
         })?;
         Ok(moved.with_splined_speeds(&self.couplers)?)
     }
-}
-
-/// The recording with locked coordinates at their defaults, as OpenSim's tools take them, and with speeds from its values.
-fn with_locked_coordinates_at_defaults(
-    recording: &Recording,
-    couplers: &Couplers,
-) -> Result<Recording, CorrectionError> {
-    let locked = recording.changed(couplers, |_, values, _| {
-        for (value, coordinate) in values.iter_mut().zip(&recording.coordinates) {
-            if let Some(default) = coordinate.default.filter(|_| coordinate.locked) {
-                *value = default;
-            }
-        }
-    })?;
-    Ok(locked.with_splined_speeds(couplers)?)
 }
 
 /// The duration of the shortest whole stance in the plates' forces, s.

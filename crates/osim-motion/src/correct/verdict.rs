@@ -78,11 +78,8 @@ pub fn mismatches(
     measured: &MeasuredForces,
     weight_n: f64,
 ) -> Result<Vec<Mismatch>, StatesError> {
-    let first = feet.first().and_then(|foot| foot.pairs.first()).and_then(|&pair| {
-        let state = states.frame(0).get(pair)?;
-        Some((state.normal, state.on_surface_m(states.pairs.get(pair)?.radius_m)))
-    });
-    let Some((normal, on_floor_m)) = first else { return Ok(Vec::new()) };
+    let floor = feet.first().and_then(|foot| foot.floor(states));
+    let Some((normal, on_floor_m)) = floor else { return Ok(Vec::new()) };
     let along = |wrench: &Wrench| wrench.force_n.dot(normal);
     let kg = weight_n / DVec3::from(model.gravity_m_s2.unwrap_or_default()).length();
     let centres_kg_m: Vec<DVec3> =
