@@ -3,7 +3,7 @@
 use contact_scaling::equations::symbols::{
     BD, BV, CF, F_CF, F_S, F_SMOOTH, K, S_C, SPEED_STATE, WIDTH, X_HAT_C, X_HAT_T,
 };
-use contact_scaling::{DomainError, Hertz, SmoothSphere, SmoothingValues, smoothing};
+use contact_scaling::{Hertz, SmoothSphere, SmoothingValues, smoothing};
 
 use crate::scaling::docstring::Returns::Value;
 use crate::scaling::function::{Function, function};
@@ -13,32 +13,32 @@ pub(super) const SMOOTH: &[Function] = &[
     function!(constant_indentation_force(
             composite_modulus: E, radius: R, constant_contact_force: CF, indentation: X, shape_factor: ETA = 1.0)
         -> Value(F_CF), "SmoothSphere::constant_indentation_force",
-        smooth_law(hertz(composite_modulus, radius, shape_factor)?, SmoothLawParameters { constant_contact_force, ..SmoothLawParameters::UNUSED })?
+        SmoothSphere::new(hertz(composite_modulus, radius, shape_factor)?, 0.0, SmoothingValues { constant_contact_force, ..UNUSED })?
             .constant_indentation_force(indentation)),
     function!(smooth_elastic_force(
             composite_modulus: E, radius: R, constant_contact_force: CF, hertz_smoothing: BD, indentation: X,
             shape_factor: ETA = 1.0) -> Value(F_S), "SmoothSphere::elastic_force",
-        smooth_law(hertz(composite_modulus, radius, shape_factor)?,
-            SmoothLawParameters { constant_contact_force, hertz_smoothing, ..SmoothLawParameters::UNUSED })?
+        SmoothSphere::new(hertz(composite_modulus, radius, shape_factor)?,
+            0.0, SmoothingValues { constant_contact_force, hertz_smoothing, ..UNUSED })?
             .elastic_force(indentation)),
     function!(smooth_elastic_stiffness(
             composite_modulus: E, radius: R, constant_contact_force: CF, hertz_smoothing: BD, indentation: X,
             shape_factor: ETA = 1.0) -> Value(K), "SmoothSphere::stiffness",
-        smooth_law(hertz(composite_modulus, radius, shape_factor)?,
-            SmoothLawParameters { constant_contact_force, hertz_smoothing, ..SmoothLawParameters::UNUSED })?
+        SmoothSphere::new(hertz(composite_modulus, radius, shape_factor)?,
+            0.0, SmoothingValues { constant_contact_force, hertz_smoothing, ..UNUSED })?
             .stiffness(indentation)),
     function!(contact_state(hertz_smoothing: BD, indentation: X) -> Value(S_C), "SmoothSphere::contact_state",
-        smooth_law(Hertz::sphere(1.0, 1.0)?, SmoothLawParameters { hertz_smoothing, ..SmoothLawParameters::UNUSED })?.contact_state(indentation)),
+        SmoothSphere::new(Hertz::sphere(1.0, 1.0)?, 0.0, SmoothingValues { hertz_smoothing, ..UNUSED })?.contact_state(indentation)),
     function!(smooth_force(
             composite_modulus: E, radius: R, dissipation: ALPHA, constant_contact_force: CF, hertz_smoothing: BD,
             hunt_crossley_smoothing: BV, indentation: X, speed: SPEED, shape_factor: ETA = 1.0)
         -> Value(F_SMOOTH), "SmoothSphere::force",
-        smooth_law(hertz(composite_modulus, radius, shape_factor)?,
-            SmoothLawParameters { dissipation, constant_contact_force, hertz_smoothing, hunt_crossley_smoothing })?
+        SmoothSphere::new(hertz(composite_modulus, radius, shape_factor)?,
+            dissipation, SmoothingValues { constant_contact_force, hertz_smoothing, hunt_crossley_smoothing })?
             .force(indentation, speed)),
     function!(speed_state(dissipation: ALPHA, hunt_crossley_smoothing: BV, speed: SPEED)
         -> Value(SPEED_STATE), "SmoothSphere::speed_state",
-        smooth_law(Hertz::sphere(1.0, 1.0)?, SmoothLawParameters { dissipation, hunt_crossley_smoothing, ..SmoothLawParameters::UNUSED })?
+        SmoothSphere::new(Hertz::sphere(1.0, 1.0)?, dissipation, SmoothingValues { hunt_crossley_smoothing, ..UNUSED })?
             .speed_state(speed)),
     function!(speed_state_at_rest(dissipation: ALPHA, hunt_crossley_smoothing: BV)
         -> Value(SPEED_STATE), "smoothing::speed_state_at_rest",
@@ -47,47 +47,21 @@ pub(super) const SMOOTH: &[Function] = &[
             composite_modulus: E, radius: R, dissipation: ALPHA, constant_contact_force: CF, hertz_smoothing: BD,
             hunt_crossley_smoothing: BV, indentation: X, shape_factor: ETA = 1.0)
         -> Value(F_SMOOTH), "SmoothSphere::rest_force",
-        smooth_law(hertz(composite_modulus, radius, shape_factor)?,
-            SmoothLawParameters { dissipation, constant_contact_force, hertz_smoothing, hunt_crossley_smoothing })?
+        SmoothSphere::new(hertz(composite_modulus, radius, shape_factor)?,
+            dissipation, SmoothingValues { constant_contact_force, hertz_smoothing, hunt_crossley_smoothing })?
             .rest_force(indentation)),
     function!(smooth_rest_stiffness(
             composite_modulus: E, radius: R, dissipation: ALPHA, constant_contact_force: CF, hertz_smoothing: BD,
             hunt_crossley_smoothing: BV, indentation: X, shape_factor: ETA = 1.0)
         -> Value(K), "SmoothSphere::rest_stiffness",
-        smooth_law(hertz(composite_modulus, radius, shape_factor)?,
-            SmoothLawParameters { dissipation, constant_contact_force, hertz_smoothing, hunt_crossley_smoothing })?
+        SmoothSphere::new(hertz(composite_modulus, radius, shape_factor)?,
+            dissipation, SmoothingValues { constant_contact_force, hertz_smoothing, hunt_crossley_smoothing })?
             .rest_stiffness(indentation)),
 ];
 
-/// What the law of a `SmoothSphereHalfSpaceForce` has beyond Hertz's: dissipation, cf, bd and bv, by OpenSim's names.
-#[derive(Clone, Copy)]
-struct SmoothLawParameters {
-    /// Dissipation α, in s/m.
-    dissipation: f64,
-    /// Constant contact force cf, in m².
-    constant_contact_force: f64,
-    /// Hertz smoothing bd, in 1/m.
-    hertz_smoothing: f64,
-    /// Hunt–Crossley smoothing bv, in s/m.
-    hunt_crossley_smoothing: f64,
-}
-
-impl SmoothLawParameters {
-    /// Values for parameters that an equation does not depend on.
-    const UNUSED: Self = Self {
-        dissipation: 0.0,
-        constant_contact_force: 0.0,
-        hertz_smoothing: 1.0,
-        hunt_crossley_smoothing: 1.0,
-    };
-}
-
-fn smooth_law(hertz: Hertz, beyond: SmoothLawParameters) -> Result<SmoothSphere, DomainError> {
-    let SmoothLawParameters { dissipation, constant_contact_force, hertz_smoothing, hunt_crossley_smoothing } =
-        beyond;
-    let smoothing = SmoothingValues { constant_contact_force, hertz_smoothing, hunt_crossley_smoothing };
-    SmoothSphere::new(hertz, dissipation, smoothing)
-}
+/// Smoothing for equations that do not depend on it.
+const UNUSED: SmoothingValues =
+    SmoothingValues { constant_contact_force: 0.0, hertz_smoothing: 1.0, hunt_crossley_smoothing: 1.0 };
 
 // The smoothing parameters from what is wanted: (C.2), (C.5) to (C.8), (C.10).
 
