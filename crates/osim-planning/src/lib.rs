@@ -59,7 +59,7 @@ pub use crate::motion::{MotionResult, PlatesRead, run_motion};
 pub use crate::motion_consistency::{Consistency, MotionRemark};
 pub use crate::next_models::{MocoStart, NextModels};
 pub use crate::opening::{all_preset_names, find_presets, may_be_file, open_with, presets_of_unlike_spheres};
-pub use crate::plot::{HeatTable, ModelFeet, TableColumn, plot_bodies, plot_feet, plot_motion, plot_table};
+pub use crate::plot::{HeatTable, ModelFeet, TableColumn, plot_bodies, plot_feet, plot_motion};
 pub use crate::prepared_change::{PreparedChange, check_with_trials, find_changeable_values};
 pub use crate::remedies::check_with_remedies;
 pub use crate::sheet::{cell, from_cell, with_text_mark, without_text_mark};

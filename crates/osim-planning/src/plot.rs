@@ -16,12 +16,6 @@ use crate::motion::{MotionResult, run_motion};
 use crate::opening::ModelOrPreset;
 use crate::sheet::Sheet;
 
-/// The table with the column that a figure shows, if the request names a table.
-pub fn plot_table(request: &PlotRequest, files: &dyn Files) -> Result<Option<HeatTable>, RequestError> {
-    let Some(path) = request.heat.table.as_deref() else { return Ok(None) };
-    Ok(Some(HeatTable::read(path, &request.heat, files)?))
-}
-
 /// The feet that a figure shows, in one or two states, the later state last: the feet of a model, the same feet with radii scaled to the
 /// target mass, or the feet of a second model.
 ///

@@ -4,12 +4,10 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 use contact_plots::{Axis, Curve, Drawing, PlotError};
-use osim_inspect::series::ContactBody;
 use osim_library::{PendingFile, WriteMode, make_folder_of};
 use osim_model::messages::Input;
-use osim_planning::{plot_bodies, plot_feet, plot_motion, plot_table};
 use osim_requests::spell::Python as PythonWords;
-use osim_requests::{PlotRequest, Request, RequestFault};
+use osim_requests::{Request, RequestFault};
 use osim_view::figures;
 use pyo3::prelude::*;
 use pyo3::pybacked::PyBackedBytes;
@@ -57,8 +55,7 @@ pub(crate) fn plot(
     without_gil(py, move || {
         let files = RequestFiles::from_python(&memory, true);
         let request = request!(Plot, fields);
-        request.check_models()?;
-        let (drawing, bodies, remarks) = drawing_of_request(&request, &files)?;
+        let (drawing, bodies, remarks) = figures::draw_request(&request, &files, &PythonWords)?;
         let svg = figures::svg(&drawing, figures::paper_of(&request.looks), &bodies)?;
         let csv = figures::data_csv(&drawing).map_err(Problem::defect)?;
         let csv = String::from_utf8(csv).map_err(Problem::defect)?;
@@ -71,26 +68,6 @@ pub(crate) fn plot(
             dpi: f32::from(request.looks.dpi.get()),
         })
     })
-}
-
-fn drawing_of_request(
-    request: &PlotRequest,
-    files: &RequestFiles,
-) -> Result<(Drawing, Vec<ContactBody>, String), Problem> {
-    if request.is_of_feet() {
-        let states = plot_feet(request, files)?;
-        let drawing = figures::draw_feet(request, &states)?;
-        return Ok((drawing, Vec::new(), figures::feet_remarks(&states, &PythonWords)));
-    }
-    if request.is_of_motion() {
-        let drawing = figures::draw_motion(request, &plot_motion(request, files)?)?;
-        return Ok((drawing, Vec::new(), String::new()));
-    }
-    let table = plot_table(request, files)?;
-    let bodies = plot_bodies(request, files)?;
-    let drawing = figures::draw(request, &bodies, table.as_ref())?;
-    let remarks = figures::weights_in_words(&bodies, &PythonWords);
-    Ok((drawing, bodies, remarks))
 }
 
 fn panel_looks(drawing: &Drawing) -> Vec<PanelLook> {

@@ -8,7 +8,6 @@ use osim_inspect::series::ContactBody;
 use osim_library::run::PathConflicts;
 use osim_library::{Disk, WriteMode, write_files};
 use osim_model::messages::Input;
-use osim_planning::{plot_bodies, plot_feet, plot_motion, plot_table};
 use osim_requests::PlotRequest;
 use osim_view::figures;
 use osim_view::report::messages::mass_mismatch;
@@ -36,30 +35,13 @@ pub(crate) fn run(request: &PlotRequest, session: &mut Session) -> Result<Exit> 
         );
     }
     let output = PlotOutput::of(request, session)?;
-    request.check_models().map_err(|fault| session.usage_error(&fault))?;
-    if request.is_of_feet() {
-        let states = plot_feet(request, &Disk).map_err(|error| session.refuse(error, false))?;
-        let drawing =
-            figures::draw_feet(request, &states).map_err(|failure| session.refuse(failure, false))?;
-        let remarks = figures::feet_remarks(&states, session.words);
-        return output.write(&drawing, &[], &remarks, request, session);
-    }
-    if request.is_of_motion() {
-        let result = plot_motion(request, &Disk).map_err(|error| session.refuse(error, false))?;
-        let drawing =
-            figures::draw_motion(request, &result).map_err(|failure| session.refuse(failure, false))?;
-        return output.write(&drawing, &[], "", request, session);
-    }
-    let table = plot_table(request, &Disk).map_err(|error| session.refuse(error, false))?;
-    let bodies = plot_bodies(request, &Disk).map_err(|error| session.refuse(error, false))?;
-    let drawing =
-        figures::draw(request, &bodies, table.as_ref()).map_err(|failure| session.refuse(failure, false))?;
+    let (drawing, bodies, remarks) = figures::draw_request(request, &Disk, session.words)
+        .map_err(|error| session.refuse(error, false))?;
     for body in &bodies {
         if let Some(mismatch) = &body.mismatch {
             session.terminal.print_to_stderr(&mass_mismatch(&body.name, mismatch, session.words))?;
         }
     }
-    let remarks = figures::weights_in_words(&bodies, session.words);
     output.write(&drawing, &bodies, &remarks, request, session)
 }
 

@@ -2,16 +2,45 @@
 
 use contact_plots::{Datum, Drawing, Paper, PlotError};
 use osim_inspect::series::{ContactBody, HeatRequest};
-use osim_model::files::Failure;
-use osim_model::messages::{Input, Phrase, phrase, shortest, terminal_safe};
-use osim_planning::{HeatTable, ModelFeet, MotionResult, cell};
-use osim_requests::{FigureOptions, PlotKind, PlotRequest, Positive, Span, no_fig1};
+use osim_model::files::{Failure, Files};
+use osim_model::messages::{Dialect, Input, Phrase, phrase, shortest, terminal_safe};
+use osim_planning::{HeatTable, MotionResult, cell, plot_bodies, plot_feet, plot_motion};
+use osim_requests::{FigureOptions, PlotKind, PlotRequest, Positive, RequestError, Span, no_fig1};
 
-use crate::figures::axes::{plot_failure, units_for};
+use crate::figures::axes::{plot_failure, units_for, weights_in_words};
+use crate::figures::feet::feet_remarks;
 use crate::figures::heat::{heat, table_figure};
 use crate::figures::motion::motion;
 use crate::figures::paper::{fig_c5, fig4};
 use crate::figures::{contact_force, contact_state, drops, feet, loops};
+
+/// Reads and draws what a request asks for: the figure, the bodies that it shows, and remarks on them.
+///
+/// # Errors
+/// A model or a table cannot be read, or the figure cannot be drawn.
+pub fn draw_request(
+    request: &PlotRequest,
+    files: &dyn Files,
+    dialect: &dyn Dialect,
+) -> Result<(Drawing, Vec<ContactBody>, String), RequestError> {
+    request.check_models()?;
+    if request.is_of_feet() {
+        let states = plot_feet(request, files)?;
+        let drawing = Drawing::Scene(feet(&states, request.looks.title.as_deref()));
+        let drawing = with_looks(drawing, &request.looks).map_err(|error| failure_of_plot(error, &[]))?;
+        return Ok((drawing, Vec::new(), feet_remarks(&states, dialect)));
+    }
+    if request.is_of_motion() {
+        let drawing = draw_motion(request, &plot_motion(request, files)?)?;
+        return Ok((drawing, Vec::new(), String::new()));
+    }
+    let read = |path| HeatTable::read(path, &request.heat, files);
+    let table = request.heat.table.as_deref().map(read).transpose()?;
+    let bodies = plot_bodies(request, files)?;
+    let drawing = draw(request, &bodies, table.as_ref())?;
+    let remarks = weights_in_words(&bodies, dialect);
+    Ok((drawing, bodies, remarks))
+}
 
 /// Draws the figure that `request` describes, of `bodies` or of a table. The size of the paper is not yet known.
 ///
@@ -79,20 +108,11 @@ fn with_looks(mut drawing: Drawing, looks: &FigureOptions) -> Result<Drawing, Pl
     Ok(drawing)
 }
 
-/// Draws a figure of feet.
-///
-/// # Errors
-/// The request names curves or limits axes, which the figure does not have.
-pub fn draw_feet(request: &PlotRequest, states: &[ModelFeet]) -> Result<Drawing, Failure> {
-    let drawing = Drawing::Scene(feet(states, request.looks.title.as_deref()));
-    with_looks(drawing, &request.looks).map_err(|error| failure_of_plot(error, &[]))
-}
-
 /// Draws a figure of contacts along a motion.
 ///
 /// # Errors
 /// The request names curves or limits that it does not have.
-pub fn draw_motion(request: &PlotRequest, result: &MotionResult) -> Result<Drawing, Failure> {
+pub(crate) fn draw_motion(request: &PlotRequest, result: &MotionResult) -> Result<Drawing, Failure> {
     let drawing = Drawing::Panels(motion(result, request.looks.title.as_deref()));
     with_looks(drawing, &request.looks).map_err(|error| failure_of_plot(error, &[]))
 }

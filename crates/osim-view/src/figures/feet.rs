@@ -248,7 +248,7 @@ fn level_lines(foot: &Foot, up: &str) -> Vec<Level> {
 }
 
 /// Lines about each state: what is drawn, which spheres are in wrong places, and which bones are missing.
-pub fn feet_remarks(states: &[ModelFeet], dialect: &dyn Dialect) -> String {
+pub(super) fn feet_remarks(states: &[ModelFeet], dialect: &dyn Dialect) -> String {
     states.iter().map(|state| remarks_on_state(state, dialect)).collect()
 }
 
