@@ -24,8 +24,7 @@ pub use file_access::{reason, sha256};
 pub use motion_files::MotionFiles;
 pub use paths::{folder_of, make_folder_of, resolved};
 pub use source::{
-    Disk, FileStamp, LoadedModel, ModelOrigin, ModelSource, OrdinaryFiles, Sources, SplitName,
-    workbook_as_csv,
+    Disk, LoadedModel, ModelOrigin, ModelSource, OrdinaryFiles, Sources, SplitName, workbook_as_csv,
 };
 pub use survey::{Survey, SurveyText, SurveyedModel};
 pub use sweep::{OtherModels, SameContacts, SweepEnd, SweepRun};

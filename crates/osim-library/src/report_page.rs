@@ -5,7 +5,7 @@
 //! The module writes nothing to a terminal and knows nothing of Python: its faults are [`LibraryFault`], which the caller spells.
 
 use std::fs::File;
-use std::io::{BufWriter, Read, Seek, SeekFrom, Write};
+use std::io::{BufWriter, Seek, SeekFrom, Write};
 use std::path::Path;
 
 use osim_model::files::Failure;
@@ -117,9 +117,6 @@ fn check_name(path: &Path) -> Result<(), LibraryFault> {
     }
 }
 
-/// Number of bytes that are copied at once.
-const COPIED_CHUNK_BYTES: usize = 1 << 16;
-
 /// Text that is kept in a file without a name until the text before it on the page is complete.
 struct NamelessFile(BufWriter<File>);
 
@@ -144,14 +141,7 @@ impl DeferredText for NamelessFile {
         self.0.flush()?;
         let file = self.0.get_mut();
         file.seek(SeekFrom::Start(0))?;
-        let mut chunk = vec![0; COPIED_CHUNK_BYTES];
-        loop {
-            let read = file.read(&mut chunk)?;
-            match chunk.get(..read) {
-                Some(bytes) if read > 0 => page.write_all(bytes)?,
-                _ => return Ok(()),
-            }
-        }
+        std::io::copy(file, page).map(drop)
     }
 }
 

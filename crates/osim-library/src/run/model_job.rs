@@ -128,8 +128,8 @@ impl<F: RunFrontEnd> ModelJob<'_, F> {
         // A digest takes longer than a plan: each is made once, for the summary and for the page.
         let wanted = self.context.summary.is_some() || detail != ModelDetail::ResultOnly;
         let inputs = if wanted { loaded.digests() } else { Vec::new() };
-        if let (Some(input), Some(_)) = (inputs.first(), &self.context.summary) {
-            record.sha256_settings = Some(self.settings_digest(&inputs));
+        if let ([input, companions @ ..], Some(_)) = (inputs.as_slice(), &self.context.summary) {
+            record.sha256_settings = Some(self.settings_digest(companions));
             if !self.context.previous.is_empty() {
                 let name = loaded.files.name().clone();
                 let refused = |fault: LibraryFault| fault.into_failure(name.clone(), "output");
@@ -230,18 +230,15 @@ impl<F: RunFrontEnd> ModelJob<'_, F> {
         }
     }
 
-    /// Digest of the settings and of the files that belong to the model, but not of the model itself. `inputs` has the digests of all
-    /// these files, the model first.
-    fn settings_digest(&self, inputs: &[String]) -> String {
+    /// Digest of the settings and of the files that belong to the model, but not of the model itself. `companions` are the digests of
+    /// these files.
+    fn settings_digest(&self, companions: &[String]) -> String {
         let own = self.task.settings.digest();
-        match inputs.get(1..) {
-            Some(companions) if !companions.is_empty() => {
-                let all: Vec<&str> =
-                    std::iter::once(own).chain(companions.iter().map(String::as_str)).collect();
-                sha256(all.join("\n").as_bytes())
-            }
-            _ => own.to_owned(),
+        if companions.is_empty() {
+            return own.to_owned();
         }
+        let all: Vec<&str> = std::iter::once(own).chain(companions.iter().map(String::as_str)).collect();
+        sha256(all.join("\n").as_bytes())
     }
 
     /// The failure with the model's row in the manifest, spelled as the front end spells options.

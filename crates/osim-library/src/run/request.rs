@@ -101,7 +101,7 @@ impl RunRequest {
             }
         }
         for task in &self.tasks {
-            let owner = task.owner();
+            let owner = PathOwner::Model(&task.source.path, task.row);
             match task.output() {
                 Some(path) if task.settings.in_place => conflicts.add_changed_in_place(path, owner)?,
                 Some(path) => conflicts.add_output(path, owner)?,

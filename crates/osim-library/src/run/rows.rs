@@ -129,7 +129,8 @@ impl TableRows<'_> {
             return Err(RowFault::of(column, message));
         }
         let settings = self.row_settings(row, shared)?;
-        let task = Task::new(ModelSource::in_table(&row.model), &row.output, settings);
+        let source = ModelSource { named: false, ..ModelSource::file(&row.model) };
+        let task = Task::new(source, &row.output, settings);
         if let Some(folder) = &self.writable_folder {
             folder.check(&task, &row.output, self.call_output).map_err(|(input, message)| {
                 RowFault::of(self.table.header_of(input).unwrap_or(column), message)

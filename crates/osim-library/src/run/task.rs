@@ -48,12 +48,11 @@ impl Task {
 
     /// The file that the task writes the new model to; `None` if it writes none.
     pub fn output(&self) -> Option<&Path> {
-        self.destination.path(&self.source)
-    }
-
-    /// The model of this task, as messages name it if its output is also another model's output.
-    pub(super) fn owner(&self) -> PathOwner<'_> {
-        PathOwner::Model(&self.source.path, self.row)
+        match &self.destination {
+            ResultDestination::Stdout => None,
+            ResultDestination::File(path) => Some(path),
+            ResultDestination::InPlace => Some(&self.source.path),
+        }
     }
 }
 
@@ -97,15 +96,6 @@ pub enum ResultDestination {
 }
 
 impl ResultDestination {
-    /// The file that is written for `source`.
-    pub fn path<'p>(&'p self, source: &'p ModelSource) -> Option<&'p Path> {
-        match self {
-            Self::Stdout => None,
-            Self::File(path) => Some(path),
-            Self::InPlace => Some(&source.path),
-        }
-    }
-
     /// Where the result for `source` is written, by the output options.
     fn of_source(source: &ModelSource, output: &OutputOptions) -> Self {
         if let Some(path) = &output.output {

@@ -9,7 +9,7 @@ use osim_patch::{Patch, Plan};
 
 use crate::run::task::{ResultDestination, Task};
 use crate::write::{ExchangedModel, PendingFile, ReplacementFile, WriteMode, prepare_backup};
-use crate::{FileStamp, LibraryFault, ModelOrigin, make_folder_of};
+use crate::{LibraryFault, ModelOrigin, make_folder_of};
 
 /// The new bytes of the files that a planned change affects.
 pub struct ResultBytes<'m> {
@@ -156,7 +156,7 @@ impl<'w> PreparedFiles<'w> {
         }
         make_folder_of(path)?;
         let mode = if settings.in_place { WriteMode::InPlace } else { mode };
-        let like = self.origin.stamp_of(file).map(FileStamp::metadata);
+        let like = self.origin.stamp_of(file);
         self.replacements.push((file, PendingFile::with_parts(path, patch.parts(), like, mode)?));
         self.backup_paths.push(backup_paths);
         self.paths.push(path.to_owned());
@@ -189,7 +189,7 @@ impl<'w> PreparedFiles<'w> {
             let geometry = results.geometry.as_ref().map(|geometry| (geometry.file, geometry.path.as_path()));
             let model = (FileId::MAIN, self.task.source.path.as_path());
             for (file, path) in std::iter::once(model).chain(geometry) {
-                self.origin.stamp_of(file).map_or(Ok(()), |stamp| stamp.refuse_if_changed(path))?;
+                self.origin.refuse_if_changed(file, path)?;
             }
         }
         for backup in self.backups {

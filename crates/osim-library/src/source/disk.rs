@@ -62,18 +62,13 @@ impl Files for OrdinaryFiles {
     }
 }
 
-/// Reads files from the disk, and keeps a [`FileStamp`] of each file that was read.
+/// Reads files from the disk, and keeps the metadata that each file had when it was read, to notice later changes by other programs.
 struct StampedDisk {
     kinds: FileKinds,
-    stamps: RefCell<HashMap<PathBuf, FileStamp>>,
+    stamps: RefCell<HashMap<PathBuf, Metadata>>,
 }
 
 impl StampedDisk {
-    /// The disk, from which only these kinds of files are read.
-    pub(super) fn new(kinds: FileKinds) -> Self {
-        Self { kinds, stamps: RefCell::default() }
-    }
-
     fn read_with_stamp(&self, path: &Path, kinds: FileKinds) -> Result<Vec<u8>, FileError> {
         let (bytes, stamp) = read(path, kinds)?;
         if let Some(stamp) = stamp {
@@ -97,53 +92,17 @@ impl Files for StampedDisk {
     }
 }
 
-/// Metadata of a file at the time when it was read, to notice later changes by other programs.
-#[derive(Debug, Clone)]
-pub struct FileStamp {
-    metadata: Metadata,
-    modified: Option<SystemTime>,
-}
-
-impl FileStamp {
-    /// The stamp of a file with this metadata.
-    fn of(metadata: Metadata) -> Self {
-        let modified = metadata.modified().ok();
-        Self { metadata, modified }
-    }
-
-    /// Metadata of the file when it was opened.
-    pub fn metadata(&self) -> &Metadata {
-        &self.metadata
-    }
-
-    /// Refuses a file whose length or time changed since it was read.
-    ///
-    /// # Errors
-    /// The file was changed or removed since it was read.
-    pub(crate) fn refuse_if_changed(&self, path: &Path) -> Result<(), LibraryFault> {
-        let gone = || format!("{} is no longer there, so nothing was written", path.display());
-        let now = std::fs::metadata(path).context(gone)?;
-        if now.len() != self.metadata.len() || now.modified().ok() != self.modified {
-            return Err(LibraryFault::new(format!(
-                "another program changed {} while it was being worked on, so nothing was written: run again",
-                path.display()
-            )));
-        }
-        Ok(())
-    }
-}
-
 /// Reads a whole file, or standard input, which has no stamp.
 ///
 /// # Errors
 /// The file does not exist, cannot be read, or changes while it is read.
-fn read(path: &Path, kinds: FileKinds) -> Result<(Vec<u8>, Option<FileStamp>), FileError> {
+fn read(path: &Path, kinds: FileKinds) -> Result<(Vec<u8>, Option<Metadata>), FileError> {
     if path.as_os_str() == "-" && kinds == FileKinds::Streams {
         let unread = |why: file_access::ReadRefusal| FileError::new(format!("standard input: {why}"));
         return Ok((file_access::standard_input().map_err(unread)?, None));
     }
     let (bytes, metadata) = file_access::read(path, kinds)?;
-    Ok((workbook_as_csv(bytes)?, Some(FileStamp::of(metadata))))
+    Ok((workbook_as_csv(bytes)?, Some(metadata)))
 }
 
 /// Bytes of a model and of the files that belong to it, and the paths that they come from.
@@ -156,7 +115,7 @@ pub struct LoadedModel {
 pub struct ModelOrigin {
     path: PathBuf,
     /// Stamps of files on the disk; standard input and models in memory have none.
-    stamps: HashMap<PathBuf, FileStamp>,
+    stamps: HashMap<PathBuf, Metadata>,
     companions: HashMap<FileId, PathBuf>,
     /// Names of the files that the model includes, as the model spells them.
     included: Vec<String>,
@@ -174,7 +133,8 @@ impl LoadedModel {
         set_files: &SetFiles,
         memory: &BTreeMap<PathBuf, Vec<u8>>,
     ) -> Result<Self, Failure> {
-        let stamped = StampedDisk::new(if source.named { FileKinds::Streams } else { FileKinds::Ordinary });
+        let kinds = if source.named { FileKinds::Streams } else { FileKinds::Ordinary };
+        let stamped = StampedDisk { kinds, stamps: RefCell::default() };
         let disk = MemoryFirst { memory, disk: &stamped };
         let unreadable =
             |error: FileError| Failure::outside(source.path.as_path(), "unreadable", error.to_string());
@@ -194,7 +154,7 @@ impl LoadedModel {
         Ok(Self::new(path, files, HashMap::new()))
     }
 
-    fn new(path: &Path, files: ModelFiles, stamps: HashMap<PathBuf, FileStamp>) -> Self {
+    fn new(path: &Path, files: ModelFiles, stamps: HashMap<PathBuf, Metadata>) -> Self {
         let included = files.included().map(str::to_owned).collect();
         let companions = files.companions().map(|(file, path, _)| (file, path.to_owned())).collect();
         let origin = ModelOrigin { path: path.to_owned(), stamps, companions, included };
@@ -229,10 +189,27 @@ impl Files for MemoryFirst<'_> {
 }
 
 impl ModelOrigin {
-    /// The stamp of one of the model's files; `None` for standard input.
-    pub(crate) fn stamp_of(&self, file: FileId) -> Option<&FileStamp> {
+    /// Metadata of one of the model's files when it was read; `None` for standard input.
+    pub(crate) fn stamp_of(&self, file: FileId) -> Option<&Metadata> {
         let path = if file == FileId::MAIN { &self.path } else { self.companions.get(&file)? };
         self.stamps.get(path)
+    }
+
+    /// Refuses a file whose length or time changed since it was read.
+    ///
+    /// # Errors
+    /// The file was changed or removed since it was read.
+    pub(crate) fn refuse_if_changed(&self, file: FileId, path: &Path) -> Result<(), LibraryFault> {
+        let Some(then) = self.stamp_of(file) else { return Ok(()) };
+        let gone = || format!("{} is no longer there, so nothing was written", path.display());
+        let now = std::fs::metadata(path).context(gone)?;
+        if now.len() != then.len() || now.modified().ok() != then.modified().ok() {
+            return Err(LibraryFault::new(format!(
+                "another program changed {} while it was being worked on, so nothing was written: run again",
+                path.display()
+            )));
+        }
+        Ok(())
     }
 
     /// The file of the model whose path is `path`.

@@ -32,11 +32,6 @@ impl ModelSource {
         Self { path: path.to_owned(), folder: None, named: true }
     }
 
-    /// The source of a model whose path is in a row of a table.
-    pub(crate) fn in_table(path: &Path) -> Self {
-        Self { named: false, ..Self::file(path) }
-    }
-
     /// Whether the model was found in a folder and failed only because it has no contacts. Such models are skipped.
     pub(crate) fn is_skipped(&self, failure: &Failure) -> bool {
         failure.code == "no-contacts" && self.folder.is_some()

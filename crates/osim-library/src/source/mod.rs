@@ -5,7 +5,7 @@ mod find_models;
 mod workbook;
 
 pub(crate) use disk::MemoryFirst;
-pub use disk::{Disk, FileStamp, LoadedModel, ModelOrigin, OrdinaryFiles};
+pub use disk::{Disk, LoadedModel, ModelOrigin, OrdinaryFiles};
 pub(crate) use find_models::SWEEP_FOLDER_ENDING;
 pub use find_models::{ModelSource, Sources, SplitName};
 pub use workbook::workbook_as_csv;

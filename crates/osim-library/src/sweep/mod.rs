@@ -18,7 +18,7 @@ use crate::fault::{Context, LibraryFault};
 use crate::file_access::{self, sha256};
 use crate::partial::PartialFile;
 use crate::paths::{Resolver, resolved};
-use crate::source::{FileStamp, LoadedModel, ModelOrigin, ModelSource, SWEEP_FOLDER_ENDING};
+use crate::source::{LoadedModel, ModelOrigin, ModelSource, SWEEP_FOLDER_ENDING};
 use crate::sweep::tables::{SweepTables, WrittenFiles, csv_line};
 use crate::workers::{thread_count, work_in_order};
 use crate::write::exchange::has_bytes;
@@ -294,8 +294,7 @@ impl<'s> SweepRun<'s> {
 
     /// Writes the file of one variant.
     fn write_file(&self, path: &Path, bytes: &[u8], mode: WriteMode) -> Result<(), LibraryFault> {
-        let like = self.origin.stamp_of(FileId::MAIN).map(FileStamp::metadata);
-        let prepared = PendingFile::new(path, bytes, like, mode)?;
+        let prepared = PendingFile::new(path, bytes, self.origin.stamp_of(FileId::MAIN), mode)?;
         if prepared.replaces() {
             prepared.sync()?;
         }

@@ -175,17 +175,12 @@ impl PendingFile {
             file.as_file().sync_all().context(|| format!("cannot write {shown}"))?;
             return file.persist(&target).map(drop).context(|| format!("cannot write {shown}"));
         }
-        if has_same_bytes(file.path(), &target) {
+        let bytes = file_access::read_ordinary;
+        if bytes(file.path()).is_ok_and(|made| bytes(&target).is_ok_and(|there| made == there)) {
             return Ok(());
         }
         Err(LibraryFault::new(format!("{shown} appeared while it was being written: nothing was replaced")))
     }
-}
-
-/// Whether two files can be read and have equal bytes.
-fn has_same_bytes(one: &Path, other: &Path) -> bool {
-    let bytes = file_access::read_ordinary;
-    bytes(one).is_ok_and(|one| bytes(other).is_ok_and(|other| one == other))
 }
 
 /// The file that is replaced: if `target` is a symlink, the file that it leads to.
