@@ -181,7 +181,7 @@ pub(crate) fn sweep<'py>(
     let ((record, manifest), failures) = without_gil(py, || {
         let request = request!(Sweep, fields);
         let sweep = SweepRun::new(&request)?;
-        sweep.check_ends()?;
+        sweep.plan.check_ends()?;
         let mut failures: Vec<Failure> = Vec::new();
         if request.dry_run {
             return Ok(((serde_json::to_value(sweep.record(None)), None), failures));

@@ -23,10 +23,10 @@ use crate::terminal::Progress;
 pub(crate) fn run(request: &SweepRequest, session: &mut Session) -> Result<Exit> {
     let json = request.format == Format::Json;
     let sweep = SweepRun::new(request).map_err(|error| session.refuse(error, json))?;
-    sweep.check_ends().map_err(|error| session.refuse(error, json))?;
+    sweep.plan.check_ends().map_err(|error| session.refuse(error, json))?;
     print_number_of_variants(&sweep, request, session)?;
     if request.dry_run {
-        let text = match sweep.is_large() {
+        let text = match request.is_large() {
             true => format!(
                 "dry run: nothing written; more than 10,000 models need {}\n",
                 YesQuestion::ManyModels.answer_option().spelled(session.words)
@@ -70,7 +70,7 @@ fn remarks_of_sweep(end: &SweepEnd, sweep: &SweepRun<'_>) -> String {
         ));
     }
     if let Some(first) = &end.others.first {
-        let folder = sweep.folder().display();
+        let folder = sweep.folder.display();
         let (models, such) = match end.others.count {
             ..2 => ("a model".to_owned(), ""),
             count => (format!("{count} models"), "such as "),
@@ -106,7 +106,7 @@ fn print_number_of_variants(
     request: &SweepRequest,
     session: &mut Session,
 ) -> Result<()> {
-    let (size, count, points) = (sweep.model_size(), sweep.count(), sweep.points());
+    let (size, count, points) = (sweep.plan.model().bytes().len(), sweep.count(), sweep.plan.count());
     let is_part = request.point.is_some() || request.shard.is_some();
     let of = if is_part { format!(" of {points}") } else { String::new() };
     let megabytes = |bytes: usize| bytes as f64 / 1e6;
@@ -114,7 +114,7 @@ fn print_number_of_variants(
         "remark: {count}{of} models of {:.2} MB each, {:.1} MB together, into {}\n",
         megabytes(size),
         megabytes(size.saturating_mul(count)),
-        sweep.folder().display()
+        sweep.folder.display()
     );
     session.terminal.print_to_stderr(&text)?;
     if request.ladder.is_some() {
@@ -127,7 +127,7 @@ fn print_number_of_variants(
 }
 
 fn text_after_sweep(sweep: &SweepRun<'_>, request: &SweepRequest, end: &SweepEnd) -> String {
-    let points = sweep.points();
+    let points = sweep.plan.count();
     let Some(manifest) = &end.manifest else {
         return match request.shard {
             Some(shard) if sweep.count() == 0 => format!("share {shard} has none of the {points} models\n"),
@@ -136,7 +136,7 @@ fn text_after_sweep(sweep: &SweepRun<'_>, request: &SweepRequest, end: &SweepEnd
     };
     let manifest = manifest.display();
     if let (Some(point), Some(file)) = (request.point, sweep.point_file()) {
-        let file = sweep.folder().join(file);
+        let file = sweep.folder.join(file);
         let done = if end.earlier > 0 { "done before" } else { "written" };
         return format!("point {point} of {points}: {} {done}; its values: {manifest}\n", file.display());
     }

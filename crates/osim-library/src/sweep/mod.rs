@@ -27,9 +27,10 @@ use crate::write::{OutputFolders, PendingFile, WriteMode};
 /// A sweep whose request was checked; nothing is written yet.
 pub struct SweepRun<'s> {
     request: &'s SweepRequest,
-    plan: SweepPlan<'s>,
+    pub plan: SweepPlan<'s>,
     origin: ModelOrigin,
-    folder: PathBuf,
+    /// The folder for the variants.
+    pub folder: PathBuf,
 }
 
 /// How a sweep ended: its table, and how many variants had which outcome.
@@ -73,23 +74,24 @@ impl<'s> SweepRun<'s> {
             return Err(RequestFault::general("a sweep makes variants of one model: name its file").into());
         }
         request.check()?;
-        let (plan, origin) = Self::plan_sweep(request, model).map_err(|mut error| {
+        let plan = || -> Result<_, RequestError> {
+            let source = ModelSource::file(model);
+            let LoadedModel { files, origin } = LoadedModel::read(&source, &SetFiles::default())?;
+            Ok((SweepPlan::new(request, files)?, origin))
+        };
+        let (plan, origin) = plan().map_err(|mut error| {
             if let RequestError::Failure(failure) = &mut error {
                 failure.message.choose_alternatives(&|input| verb_takes(Verb::Sweep, input));
             }
             error
         })?;
-        Ok(Self { request, plan, origin, folder: folder_of_variants(request, model) })
-    }
-
-    /// Reads the model and plans the sweep.
-    fn plan_sweep(
-        request: &'s SweepRequest,
-        model: &Path,
-    ) -> Result<(SweepPlan<'s>, ModelOrigin), RequestError> {
-        let LoadedModel { files, origin } =
-            LoadedModel::read(&ModelSource::file(model), &SetFiles::default())?;
-        Ok((SweepPlan::new(request, files)?, origin))
+        let beside = || {
+            let mut name = model.file_stem().unwrap_or_default().to_owned();
+            name.push(SWEEP_FOLDER_ENDING);
+            model.with_file_name(name)
+        };
+        let folder = request.output_dir.clone().unwrap_or_else(beside);
+        Ok(Self { request, plan, origin, folder })
     }
 
     /// The number of variants that this run makes.
@@ -97,48 +99,20 @@ impl<'s> SweepRun<'s> {
         self.plan.indices().len()
     }
 
-    /// The number of variants in the whole sweep: points of the grid or steps of the ladder.
-    pub fn points(&self) -> usize {
-        self.plan.count()
-    }
-
     /// The name of the variant's file, if the request names one point.
     pub fn point_file(&self) -> Option<String> {
         self.request.point.map(|point| self.plan.file_name(point.saturating_sub(1)))
-    }
-
-    /// Whether there are so many variants that the user has to confirm the sweep.
-    pub fn is_large(&self) -> bool {
-        self.request.is_large()
     }
 
     /// The record of this sweep after its `end`, or of what it would make.
     pub fn record(&self, end: Option<&SweepEnd>) -> SweepRecord {
         let manifest = end.and_then(|end| end.manifest.as_deref());
         let record = SweepRecord::new(self.plan.model().name(), &self.folder, manifest);
-        let (points, file) = (self.points(), self.point_file());
+        let (points, file) = (self.plan.count(), self.point_file());
         let planned = (self.count(), 0, 0);
         let (models, done_before, failed) =
             end.map_or(planned, |end| (end.made + end.earlier, end.earlier, end.failed));
         SweepRecord { points, file, models, done_before, failed, ..record }
-    }
-
-    /// The size of the model's file, in bytes.
-    pub fn model_size(&self) -> usize {
-        self.plan.model().bytes().len()
-    }
-
-    /// The folder that variants are written into.
-    pub fn folder(&self) -> &Path {
-        &self.folder
-    }
-
-    /// Plans the variants at the ends of the axes, so that values outside their domain are refused before anything is written.
-    ///
-    /// # Errors
-    /// A value outside its domain; the error names the variant.
-    pub fn check_ends(&self) -> Result<(), RequestError> {
-        self.plan.check_ends()
     }
 
     /// Makes the variants of this run. Calls `report` for each variant in order, on this thread, with a failure if the variant could not
@@ -324,16 +298,6 @@ impl<'s> SweepRun<'s> {
         }
         Err(LibraryFault::output_edited(path))
     }
-}
-
-/// The folder for the variants: that of the request, else `NAME.sweep` beside the model.
-fn folder_of_variants(request: &SweepRequest, model: &Path) -> PathBuf {
-    let beside = || {
-        let mut name = model.file_stem().unwrap_or_default().to_owned();
-        name.push(SWEEP_FOLDER_ENDING);
-        model.with_file_name(name)
-    };
-    request.output_dir.clone().unwrap_or_else(beside)
 }
 
 /// Variants whose contacts are equal to those of an earlier variant.
