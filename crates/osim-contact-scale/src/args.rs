@@ -22,7 +22,7 @@ macro_rules! equations {
 }
 
 /// The name of the program on the command line.
-const PROGRAM_NAME: &str = env!("CARGO_PKG_NAME");
+pub(crate) const PROGRAM_NAME: &str = env!("CARGO_PKG_NAME");
 
 /// How the program is called, in the help of a call without a verb.
 const USAGE: &str = concat!("osim-contact-scale [OPTIONS] [MODEL]...\n", "       osim-contact-scale <VERB>");

@@ -5,15 +5,8 @@ use std::fmt;
 use std::sync::Once;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
-use osim_library::FaultCause;
-use osim_library::report_page::Words;
-use osim_model::Excerpt;
-use osim_model::files::Failure;
 pub(crate) use osim_view::report::ExitStatus as Exit;
 use signal_hook::{consts, flag};
-
-use crate::terminal::Terminal;
 
 /// An error that ends the run with the exit status `exit`. All other errors end it with the status of wrong usage.
 #[derive(Debug)]
@@ -42,15 +35,6 @@ pub(crate) fn text_of(error: &anyhow::Error) -> String {
     match error.downcast_ref::<std::io::Error>() {
         Some(why) => format!("cannot write to standard output: {why}"),
         None => format!("{error:#}"),
-    }
-}
-
-/// The exit status of a run that ended with a fault of this cause.
-pub(crate) fn exit_of_cause(cause: FaultCause) -> Exit {
-    match cause {
-        FaultCause::Call => Exit::Usage,
-        FaultCause::System => Exit::Failed,
-        FaultCause::Busy => Exit::Busy,
     }
 }
 
@@ -96,30 +80,6 @@ pub(crate) fn outlive_size_limit() {}
 /// Whether Ctrl-C was pressed, or another program asked this one to end.
 pub(crate) fn stop_is_requested() -> bool {
     STOP_REQUESTED.load(Ordering::Relaxed)
-}
-
-// What went wrong with one model, as one line and a snippet of the file.
-
-/// Reports a failure on standard error: one sentence, then the faulty line of the file if there is one.
-pub(crate) fn report_failure(failure: &Failure, words: Words, terminal: &mut Terminal) {
-    let place = match (failure.line, failure.column) {
-        (Some(line), Some(column)) => format!("{}:{line}:{column}", failure.model),
-        _ => failure.model.to_string(),
-    };
-    let message = failure.message.spelled(words);
-    // Messages about outputs name them. If an output is the model itself, it is named already.
-    let message = message.strip_prefix(&format!("{} ", failure.model)).unwrap_or(&message);
-    terminal.error(&format!("error: {place}: {message}\n"));
-    if let Some(excerpt) = &failure.excerpt {
-        let _ = terminal.print_to_stderr_unbroken(&format!("{}\n", snippet(excerpt)));
-    }
-}
-
-/// The faulty line of the file, with carets below the fault.
-fn snippet(excerpt: &Excerpt) -> String {
-    let source = Snippet::source(excerpt.text.as_str()).line_start(excerpt.line);
-    let marked = source.annotation(AnnotationKind::Primary.span(excerpt.marked.clone()));
-    Renderer::plain().render(&[Group::with_level(Level::ERROR).element(marked)])
 }
 
 #[cfg(all(test, windows))]

@@ -55,10 +55,13 @@ pub fn main() -> ExitCode {
 /// The call that the arguments of the command line make, and whether only errors are printed. The inner error is about options that do
 /// not go together; the outer error is clap's, which also returns its help and version as errors.
 fn call_of_arguments(columns: Option<usize>) -> Result<(Result<Call, RequestFault>, bool), clap::Error> {
-    let first = std::env::args_os().nth(1);
+    let mut words = std::env::args_os().skip(1).peekable();
+    let first = words.peek().cloned();
+    // To put the help together takes longer than to read the words, so it is done where something is to be shown. If `-h` is only the
+    // value of an option, that costs time but changes no output.
+    let asks_for_help = first.is_none() || words.any(|word| word == "-h" || word == "--help");
     let first = first.as_deref().and_then(|word| word.to_str());
-    // To put the help together takes longer than to read the words, so it is done where something is to be shown.
-    let bare = (!asks_for_help()).then(|| bare_command(first).try_get_matches());
+    let bare = (!asks_for_help).then(|| bare_command(first).try_get_matches());
     let matches = match bare {
         Some(Ok(matches)) => matches,
         Some(Err(version)) if version.kind() == ErrorKind::DisplayVersion => return Err(version),
@@ -71,13 +74,6 @@ fn call_of_arguments(columns: Option<usize>) -> Result<(Result<Call, RequestFaul
         command(columns, words.get(1).copied()).try_get_matches_from(&words)?;
     }
     Ok((call, is_quiet(&matches)))
-}
-
-/// Whether the arguments may ask for help, or there are none. If `help` is only the value of an option, the answer is wrong, which
-/// costs time but changes no output.
-fn asks_for_help() -> bool {
-    let mut words = std::env::args_os().skip(1).peekable();
-    words.peek().is_none() || words.any(|word| word == "-h" || word == "--help")
 }
 
 /// A suggestion for a call whose arguments beside the options caused an unknown argument.

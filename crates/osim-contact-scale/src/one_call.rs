@@ -3,22 +3,23 @@
 use std::path::Path;
 use std::time::SystemTime;
 
+use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
 use anyhow::Result;
 use clap::ValueEnum;
 use osim_inspect::describe_unmatched_patterns;
 use osim_library::report_page::{ReportPage, Words};
-use osim_library::{Disk, LibraryFault};
+use osim_library::{Disk, FaultCause, LibraryFault};
 use osim_model::files::{CompanionPaths, Failure};
 use osim_model::messages::Input;
 use osim_planning::open_with;
 use osim_requests::options::{ForceOptions, MassOptions};
-use osim_requests::spell::{CommandLine, JsonRequest, Matlab, shell_quoted};
+use osim_requests::spell::{CommandLine, shell_quoted};
 use osim_requests::{RequestError, RequestFault};
 use osim_view::report::extent::{Extent, Layout};
 use osim_view::report::json::{FailureRecord, line};
 use osim_view::report::layout::Colour;
 
-use crate::exit::{self, Exit, ExitError, exit_of_cause};
+use crate::exit::{Exit, ExitError};
 use crate::terminal::Terminal;
 
 /// One call of the command: its terminal, and the spelling of options in messages.
@@ -36,12 +37,26 @@ impl Session {
         Layout { columns: self.terminal.columns(), colour: Colour::Ansi, extent: Extent::new(full) }
     }
 
-    /// Reports a failure on standard error; with `json`, also as a record on standard output.
+    /// Reports a failure on standard error: one sentence, then the faulty line of the file, if there is one, with carets below the
+    /// fault; with `json`, also as a record on standard output.
     pub(crate) fn report_failure(&mut self, failure: &Failure, json: bool) -> Result<Exit> {
         if json {
             self.terminal.print_records(&line(&FailureRecord::new(failure, self.words)))?;
         }
-        exit::report_failure(failure, self.words, &mut self.terminal);
+        let place = match (failure.line, failure.column) {
+            (Some(line), Some(column)) => format!("{}:{line}:{column}", failure.model),
+            _ => failure.model.to_string(),
+        };
+        let message = failure.message.spelled(self.words);
+        // Messages about outputs name them. If an output is the model itself, it is named already.
+        let message = message.strip_prefix(&format!("{} ", failure.model)).unwrap_or(&message);
+        self.terminal.error(&format!("error: {place}: {message}\n"));
+        if let Some(excerpt) = &failure.excerpt {
+            let source = Snippet::source(excerpt.text.as_str()).line_start(excerpt.line);
+            let marked = source.annotation(AnnotationKind::Primary.span(excerpt.marked.clone()));
+            let snippet = Renderer::plain().render(&[Group::with_level(Level::ERROR).element(marked)]);
+            let _ = self.terminal.print_to_stderr_unbroken(&format!("{snippet}\n"));
+        }
         Ok(Exit::Failed)
     }
 
@@ -64,7 +79,12 @@ impl Session {
 
     /// The error of the command for a file that could not be read or written.
     pub(crate) fn file_error(&self, fault: &LibraryFault) -> anyhow::Error {
-        ExitError { text: fault.spelled(self.words), exit: exit_of_cause(fault.cause) }.into()
+        let exit = match fault.cause {
+            FaultCause::Call => Exit::Usage,
+            FaultCause::System => Exit::Failed,
+            FaultCause::Busy => Exit::Busy,
+        };
+        ExitError { text: fault.spelled(self.words), exit }.into()
     }
 
     /// The error for a file of the option `input` whose name has none of the `endings`.
@@ -85,14 +105,6 @@ pub(crate) static COMMAND_LINE_WORDS: Words = &CommandLine;
 pub(crate) enum Language {
     Json,
     Matlab,
-}
-
-/// Spells options as the caller wrote them: as fields of the request, or as arguments of the function that made the request.
-pub(crate) fn words_of_language(language: Language) -> Words {
-    match language {
-        Language::Json => &JsonRequest,
-        Language::Matlab => &Matlab,
-    }
 }
 
 // What verbs without a change print and write in the end.

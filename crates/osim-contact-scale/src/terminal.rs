@@ -72,7 +72,12 @@ impl Terminal {
         if io::stdout().is_terminal() {
             return self.print_records(text);
         }
-        self.write_bytes(without_controls(text).as_bytes())
+        let steers = |letter: char| letter.is_control() && !matches!(letter, '\n' | '\t' | '\r');
+        let mut out = String::with_capacity(text.len());
+        for letter in text.chars() {
+            if steers(letter) { out.extend(letter.escape_unicode()) } else { out.push(letter) }
+        }
+        self.write_bytes(out.as_bytes())
     }
 
     /// Prints results with colours; files and pipes get them without colours.
@@ -155,19 +160,6 @@ fn columns(is_terminal: bool, width: Option<Width>) -> Option<usize> {
 /// The text, broken into lines of at most this number of columns.
 fn fitted(text: &str, columns: Option<usize>) -> Cow<'_, str> {
     columns.map_or(Cow::Borrowed(text), |columns| break_long_lines(text, columns).into())
-}
-
-/// The text with control characters written by their numbers; line ends and tabs stay.
-fn without_controls(text: &str) -> Cow<'_, str> {
-    let steers = |letter: char| letter.is_control() && !matches!(letter, '\n' | '\t' | '\r');
-    if !text.contains(steers) {
-        return text.into();
-    }
-    let mut out = String::with_capacity(text.len());
-    for letter in text.chars() {
-        if steers(letter) { out.extend(letter.escape_unicode()) } else { out.push(letter) }
-    }
-    out.into()
 }
 
 /// The text without control characters except those for colours, so that it cannot steer a terminal.

@@ -124,10 +124,16 @@ pub(crate) fn reproduce(request: &ReproduceRequest, session: &mut Session) -> Re
     let mut written = String::new();
     if let Some(folder) = &request.output_dir {
         let files = output_files(folder, &record, json, session)?;
-        write_files_of_reproduction(&files, request.force, session)?;
+        if let Some((there, _)) = files.iter().find(|(path, _)| !request.force && path.exists()) {
+            return Err(session.file_error(&LibraryFault::file_exists(there, Input::OutputDir)));
+        }
+        let mode = if request.force { WriteMode::Replace } else { WriteMode::New };
         for (path, _) in &files {
+            make_folder_of(path).map_err(|fault| session.file_error(&fault))?;
             written.push_str(&format!("written to {}\n", path.display()));
         }
+        write_files(files.iter().map(|(path, text)| (path.as_path(), text.as_bytes())), mode)
+            .map_err(|fault| session.file_error(&fault))?;
     }
     if json {
         session.terminal.print_records(&line(&record))?;
@@ -157,19 +163,6 @@ fn output_files(
         files.push((folder.join(name), svg.map_err(|failure| session.refuse(failure, json))?));
     }
     Ok(files)
-}
-
-/// Writes all files. If a file exists and may not be replaced, writes none.
-fn write_files_of_reproduction(files: &[(PathBuf, String)], force: bool, session: &Session) -> Result<()> {
-    if let Some((there, _)) = files.iter().find(|(path, _)| !force && path.exists()) {
-        return Err(session.file_error(&LibraryFault::file_exists(there, Input::OutputDir)));
-    }
-    let refused = |fault| session.file_error(&fault);
-    let mode = if force { WriteMode::Replace } else { WriteMode::New };
-    for (path, _) in files {
-        make_folder_of(path).map_err(refused)?;
-    }
-    write_files(files.iter().map(|(path, text)| (path.as_path(), text.as_bytes())), mode).map_err(refused)
 }
 
 // `explain`: equations, quantities, and the codes of findings and errors.

@@ -13,7 +13,7 @@ use osim_library::{Disk, WriteMode, write_files};
 use osim_model::{Property, YesQuestion};
 use osim_view::report::explain::Topic;
 
-use crate::args::whole_command;
+use crate::args::{PROGRAM_NAME, whole_command};
 use crate::exit::Exit;
 use crate::one_call::Session;
 
@@ -169,8 +169,6 @@ fn fish_completion(value: &PossibleValue) -> String {
 }
 
 // `man`: the manual pages, one for the command and one for each verb.
-
-const PROGRAM_NAME: &str = env!("CARGO_PKG_NAME");
 
 /// Writes all manual pages into a folder.
 pub(crate) fn manuals(folder: &Path, force: bool, session: &mut Session) -> Exit {

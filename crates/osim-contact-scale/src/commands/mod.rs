@@ -12,6 +12,7 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, Result, bail};
 use osim_library::Disk;
 use osim_model::files::{CompanionPaths, Files};
+use osim_requests::spell::{JsonRequest, Matlab};
 use osim_requests::{DropTestRequest, PlotRequest, Request, SweepRequest};
 
 use crate::args::{Call, OwnVerb};
@@ -100,7 +101,10 @@ const NAME_OF_STDIN: &str = "-";
 /// # Errors
 /// The file cannot be read, or has no valid request.
 fn read_request(file: &Path, words: Language, session: &mut Session) -> Result<Request> {
-    session.words = one_call::words_of_language(words);
+    session.words = match words {
+        Language::Json => &JsonRequest,
+        Language::Matlab => &Matlab,
+    };
     session.terminal.never_break_lines();
     let is_stdin = file == Path::new(NAME_OF_STDIN);
     let shown = if is_stdin { "standard input".into() } else { file.to_string_lossy().into_owned() };

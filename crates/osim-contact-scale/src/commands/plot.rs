@@ -19,7 +19,9 @@ use crate::one_call::Session;
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Picture {
     Svg,
+    #[cfg(feature = "pdf")]
     Pdf,
+    #[cfg(feature = "png")]
     Png,
 }
 
@@ -35,8 +37,8 @@ pub(crate) fn run(request: &PlotRequest, session: &mut Session) -> Result<Exit> 
         );
     }
     let output = PlotOutput::of(request, session)?;
-    let (drawing, bodies, remarks) = figures::draw_request(request, &Disk, session.words)
-        .map_err(|error| session.refuse(error, false))?;
+    let (drawing, bodies, remarks) =
+        figures::draw_request(request, &Disk, session.words).map_err(|error| session.refuse(error, false))?;
     for body in &bodies {
         if let Some(mismatch) = &body.mismatch {
             session.terminal.print_to_stderr(&mass_mismatch(&body.name, mismatch, session.words))?;
@@ -82,9 +84,11 @@ impl<'o> PlotOutput<'o> {
         let ending = path.extension().map(|ending| ending.to_string_lossy().to_ascii_lowercase());
         let picture = match ending.as_deref() {
             Some("svg") => Picture::Svg,
-            Some("pdf") if cfg!(feature = "pdf") => Picture::Pdf,
-            Some("png") if cfg!(feature = "png") => Picture::Png,
-            Some(ending @ ("pdf" | "png")) => {
+            #[cfg(feature = "pdf")]
+            Some("pdf") => Picture::Pdf,
+            #[cfg(feature = "png")]
+            Some("png") => Picture::Png,
+            Some(ending) if ["pdf", "png"].contains(&ending) => {
                 bail!("this program was built without {ending}: write to a name that ends in .svg")
             }
             _ => return Err(session.wrong_ending(Input::Output, path, ".svg, .pdf or .png")),
@@ -112,8 +116,10 @@ impl<'o> PlotOutput<'o> {
         if let Some(path) = self.path {
             let bytes = match self.picture {
                 Picture::Svg => svg.as_bytes().to_vec(),
-                Picture::Pdf => pdf_bytes(&svg, drawing.title())?,
-                Picture::Png => png_bytes(&svg, request)?,
+                #[cfg(feature = "pdf")]
+                Picture::Pdf => contact_plots::pdf(&svg, drawing.title())?,
+                #[cfg(feature = "png")]
+                Picture::Png => contact_plots::png(&svg, f32::from(request.looks.dpi.get()))?,
             };
             files.push((path, bytes));
         }
@@ -133,24 +139,4 @@ impl<'o> PlotOutput<'o> {
         }
         Ok(Exit::Done)
     }
-}
-
-#[cfg(feature = "pdf")]
-fn pdf_bytes(svg: &str, title: &str) -> Result<Vec<u8>> {
-    Ok(contact_plots::pdf(svg, title)?)
-}
-
-#[cfg(not(feature = "pdf"))]
-fn pdf_bytes(_svg: &str, title: &str) -> Result<Vec<u8>> {
-    bail!("this program was built without pdf, for '{title}' or any other figure")
-}
-
-#[cfg(feature = "png")]
-fn png_bytes(svg: &str, request: &PlotRequest) -> Result<Vec<u8>> {
-    Ok(contact_plots::png(svg, f32::from(request.looks.dpi.get()))?)
-}
-
-#[cfg(not(feature = "png"))]
-fn png_bytes(_svg: &str, request: &PlotRequest) -> Result<Vec<u8>> {
-    bail!("this program was built without png, at {} dpi or any other", request.looks.dpi)
 }
