@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use contact_scaling::drop_test::{
-    Difference, DropError, DropReport, DropTest, DropValues, FirstContact, LiftOff, Sample, compare,
+    Difference, DropError, DropReport, DropTest, DropValues, LiftOff, Sample, compare,
 };
 use contact_scaling::{Contact, ContactValues, Law, Preset, Spheres};
 use osim_inspect::series::standing_spheres;
@@ -271,10 +271,7 @@ fn listed_inputs(inputs: Vec<Input>) -> Phrase {
 // The one register of the figures of a drop, and of the columns of its series. A new one is a new entry here, and a test.
 
 /// An entry of the register of drop figures: where the table shows the figure, and how its value is computed.
-struct DropFigureEntry {
-    row: DropRow,
-    value: FigureValue,
-}
+type DropFigureEntry = (DropRow, FigureValue);
 
 /// The function that computes a number of a drop.
 enum FigureValue {
@@ -294,89 +291,80 @@ pub enum DropRow {
     Last,
 }
 
-/// An entry of the register of drop figures.
-const fn entry(row: DropRow, value: FigureValue) -> DropFigureEntry {
-    DropFigureEntry { row, value }
-}
-
 osim_inspect::quantities! {
     /// A figure of a drop, see [`Quantity`]; in the order of the JSON.
     DropFigure: DropFigureEntry {
-        Mass = "Mass M of the body.", Quantity::new("mass_kg", "mass", "kg") => entry(Nowhere, Always(|drop| drop.values.mass_kg));
+        Mass = "Mass M of the body.", Quantity::new("mass_kg", "mass", "kg") => (Nowhere, Always(|drop| drop.values.mass_kg));
         SphereCount = "Spheres n that share the weight.",
-            Quantity::new("sphere_count", "spheres", "") => entry(Nowhere, Always(|drop| drop.sphere_count));
-        Gravity = "Gravity g.", Quantity::new("gravity_m_s2", "gravity", "m/s2") => entry(Nowhere, Always(|drop| drop.values.gravity_m_s2));
+            Quantity::new("sphere_count", "spheres", "") => (Nowhere, Always(|drop| drop.sphere_count));
+        Gravity = "Gravity g.", Quantity::new("gravity_m_s2", "gravity", "m/s2") => (Nowhere, Always(|drop| drop.values.gravity_m_s2));
         Height = "Height of the sphere bottoms at the start.",
-            Quantity::new("height_m", "height", "m") => entry(Nowhere, Always(|drop| drop.values.height_m));
+            Quantity::new("height_m", "height", "m") => (Nowhere, Always(|drop| drop.values.height_m));
         Duration = "How long the body was followed.",
-            Quantity::new("duration_s", "duration", "s") => entry(Nowhere, Always(|drop| drop.values.duration_s));
+            Quantity::new("duration_s", "duration", "s") => (Nowhere, Always(|drop| drop.values.duration_s));
         ReferenceRadius = "R = √(Σ R_i²/n): what lengths are divided by.", Quantity::new("reference_radius_m", "radius", "m")
-            => entry(Nowhere, Always(|drop| drop.report.reference_radius_m));
+            => (Nowhere, Always(|drop| drop.report.reference_radius_m));
         ReferenceTime = "√(R/g): what to divide times by before animals of different size are compared.",
             Quantity::new("reference_time_s", "time unit sqrt(R/g)", "s")
-            => entry(Last, Always(|drop| drop.report.reference_time_s));
+            => (Last, Always(|drop| drop.report.reference_time_s));
         FinalIndentation = "x̂ at the end of the series.", Quantity::new("final_relative_indentation", "indentation/radius at the end", "")
-            => entry(InOrder, Always(|drop| drop.report.final_indentation_m / drop.report.reference_radius_m));
+            => (InOrder, Always(|drop| drop.report.final_indentation_m / drop.report.reference_radius_m));
         IndentationHertz = "x̂ that the Hertz law (1) gives under body weight: the x̂ of the paper, of `design` and of scaling.",
             Quantity::INDENTATION_HERTZ.labelled("  at rest, Hertz law")
-            => entry(InOrder, Always(|drop| drop.report.hertz_indentation_m / drop.report.reference_radius_m));
+            => (InOrder, Always(|drop| drop.report.hertz_indentation_m / drop.report.reference_radius_m));
         IndentationModelLaw = "x̂ where the force by the model's law at speed 0, (C.9) for a smoothed one, equals body weight.",
             Quantity::INDENTATION_MODEL_LAW.labelled("  at rest, the model's law").by_equation("")
-            => entry(InOrder, Always(|drop| drop.report.equilibrium_indentation_m / drop.report.reference_radius_m));
+            => (InOrder, Always(|drop| drop.report.equilibrium_indentation_m / drop.report.reference_radius_m));
         PeakForce = "The largest force of all spheres together.",
-            Quantity::new("peak_force_n", "peak force", "N") => entry(InOrder, Always(|drop| drop.report.peak_force_n));
+            Quantity::new("peak_force_n", "peak force", "N") => (InOrder, Always(|drop| drop.report.peak_force_n));
         PeakForceBw = "The largest force over body weight.", Quantity::new("peak_force_bw", "peak force/body weight", "")
-            => entry(InOrder, Always(|drop| drop.report.peak_force_bw()));
+            => (InOrder, Always(|drop| drop.report.peak_force_bw()));
         EquilibriumStiffness = "Slope of the force of one sphere where it rests, by the model's law; the mean of spheres that differ.",
             Quantity::new("equilibrium_stiffness_n_m", "stiffness of one sphere at rest, model's law", "N/m")
-            => entry(InOrder, Always(|drop| drop.report.equilibrium_stiffness_n_m));
+            => (InOrder, Always(|drop| drop.report.equilibrium_stiffness_n_m));
         HertzStiffness = "Slope of the Hertz force of one sphere where it rests: the k of Table 1.",
             Quantity::new("hertz_stiffness_n_m", "stiffness of one sphere at rest, Hertz", "N/m").by_equation("B.1")
-            => entry(InOrder, Always(|drop| drop.report.hertz_stiffness_n_m));
+            => (InOrder, Always(|drop| drop.report.hertz_stiffness_n_m));
         ImpactSpeed = "Speed at height 0: smoothed forces brake before, so it is a little below √(2gh). Absent where the ground is not reached.",
             Quantity::IMPACT_SPEED
-            => entry(InOrder, Sometimes(|drop| Some(first_contact(drop)?.impact_speed_m_s)));
+            => (InOrder, Sometimes(|drop| Some(drop.report.first_contact?.impact_speed_m_s)));
         RestitutionExact = "Restitution of an impact at this speed by (12), if there were no gravity.",
             Quantity::RESTITUTION_EXACT.labelled("restitution without gravity, exact")
-            => entry(InOrder, Sometimes(|drop| Some(first_contact(drop)?.restitution_exact)));
+            => (InOrder, Sometimes(|drop| Some(drop.report.first_contact?.restitution_exact)));
         RestitutionApproximate = "Restitution of an impact at this speed by (13), 1 − α ẋ. Absent if it is below 0.",
             Quantity::RESTITUTION_APPROXIMATE
-            => entry(InOrder, Sometimes(|drop| first_contact(drop)?.restitution_approximate));
+            => (InOrder, Sometimes(|drop| drop.report.first_contact?.restitution_approximate));
         ContactTime = "Time from touch-down to lift-off. Absent where the body does not leave the ground again.",
             Quantity::new("contact_time_s", "contact time", "s")
-            => entry(InOrder, Sometimes(|drop| Some(lift_off(drop)?.contact_time_s)));
+            => (InOrder, Sometimes(|drop| Some(lift_off(drop)?.contact_time_s)));
         ReboundSpeed = "Speed at lift-off. Absent where the body does not leave the ground again.",
             Quantity::new("rebound_speed_m_s", "rebound speed", "m/s")
-            => entry(InOrder, Sometimes(|drop| Some(lift_off(drop)?.rebound_speed_m_s)));
+            => (InOrder, Sometimes(|drop| Some(lift_off(drop)?.rebound_speed_m_s)));
     }
 }
 
 impl DropFigure {
     pub const fn row(self) -> DropRow {
-        self.entry().row
+        self.entry().0
     }
 
     /// Whether every drop has this figure. If not, the figure may be absent.
     pub const fn is_always_known(self) -> bool {
-        matches!(self.entry().value, Always(_))
+        matches!(self.entry().1, Always(_))
     }
 
     /// The value of this figure for a drop; `None` if the drop does not have it.
     pub fn value(self, drop: &DropResult) -> Option<f64> {
-        match self.entry().value {
+        match self.entry().1 {
             Always(value) => Some(value(drop)),
             Sometimes(value) => value(drop),
         }
     }
 }
 
-fn first_contact(drop: &DropResult) -> Option<FirstContact> {
-    drop.report.first_contact
-}
-
 /// The end of the first contact, if the body leaves the ground.
 fn lift_off(drop: &DropResult) -> Option<LiftOff> {
-    first_contact(drop)?.end
+    drop.report.first_contact?.end
 }
 
 /// A function that gives the value of a column at one moment of a drop.

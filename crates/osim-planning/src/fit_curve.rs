@@ -102,11 +102,7 @@ impl MeasuredCurve {
     /// row and column.
     fn read(path: &Path, columns: &ColumnOptions, files: &dyn Files) -> Result<Self, String> {
         let bytes = files.read(path).map_err(|error| error.to_string())?;
-        Self::of_sheet(&Sheet::read(&bytes)?, columns)
-    }
-
-    /// Reads the measured curve from the rows of a table.
-    fn of_sheet(sheet: &Sheet, columns: &ColumnOptions) -> Result<Self, String> {
+        let sheet = Sheet::read(&bytes)?;
         let header = &sheet.header;
         let column = |name: &str, unit: f64| {
             sheet.column(name).map(|index| Column { index, unit, values: Vec::new() })

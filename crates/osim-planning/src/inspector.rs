@@ -235,7 +235,11 @@ impl Inspector {
         let beside = [compiled.cloned(), mesh, density, forms];
         let beside: Vec<Finding> = beside.into_iter().flatten().collect();
         let result = check_with_trials(&self.options, model, inspected, &beside);
-        let inspect = |name: &FileName, model: &Model| self.inspect_again(name, model);
+        let inspect = |name: &FileName, model: &Model| {
+            let mut inspection = self.options.inspect(name.clone(), model, None);
+            self.add_comparison(model, &mut inspection);
+            inspection
+        };
         let of_reference = match (&self.generic, &self.place_reference) {
             (Some(Ok(generic)), Some(_)) => &generic.codes,
             _ => &NO_CODES,
@@ -278,13 +282,6 @@ impl Inspector {
     /// be computed.
     pub fn recording(&self, path: &Path, files: &dyn Files) -> Option<(MotionResult, Vec<MotionRemark>)> {
         self.motion.as_ref()?.follow(path, files).ok()
-    }
-
-    /// Inspects the model after a remedy, with the same comparisons as the original.
-    fn inspect_again(&self, name: &FileName, model: &Model) -> Inspection {
-        let mut inspection = self.options.inspect(name.clone(), model, None);
-        self.add_comparison(model, &mut inspection);
-        inspection
     }
 
     /// Adds to the inspection how the places of spheres and the contacts differ from the generic model, if `check` names one.

@@ -217,39 +217,31 @@ pub(crate) fn find_preset(
     Ok(presets(file, files)?.into_iter().find(|preset| preset.name == name))
 }
 
-/// The reason why a user's preset cannot be used.
-#[derive(Debug, thiserror::Error)]
-enum PresetEntryError {
-    #[error(transparent)]
-    Domain(#[from] DomainError),
-    #[error(
-        "constant_contact_force, hertz_smoothing and hunt_crossley_smoothing come together or not at all"
-    )]
-    Smoothing,
-}
-
 impl PresetEntry {
     /// The preset that a user's entry describes.
-    fn into_preset(self) -> Result<Preset, PresetEntryError> {
+    fn into_preset(self) -> Result<Preset, String> {
         let smoothing =
             match (self.constant_contact_force, self.hertz_smoothing, self.hunt_crossley_smoothing) {
                 (None, None, None) => None,
                 (Some(constant_contact_force), Some(hertz_smoothing), Some(hunt_crossley_smoothing)) => {
                     Some(SmoothingValues { constant_contact_force, hertz_smoothing, hunt_crossley_smoothing })
                 }
-                _ => return Err(PresetEntryError::Smoothing),
+                _ => {
+                    let names = "constant_contact_force, hertz_smoothing and hunt_crossley_smoothing";
+                    return Err(format!("{names} come together or not at all"));
+                }
             };
+        let failed = |error: DomainError| error.to_string();
         let scale = Scale::new(ScaleValues {
             mass_kg: self.mass_kg,
             radius_m: self.radius_m,
             sphere_count: self.spheres,
             gravity_m_s2: self.gravity_m_s2,
-        })?;
-        let contact = Contact::new(ContactValues {
-            plane_strain_modulus: self.stiffness,
-            dissipation: self.dissipation,
-            smoothing,
-        })?;
+        });
+        let scale = scale.map_err(failed)?;
+        let (plane_strain_modulus, dissipation) = (self.stiffness, self.dissipation);
+        let contact = Contact::new(ContactValues { plane_strain_modulus, dissipation, smoothing });
+        let contact = contact.map_err(failed)?;
         Ok(Preset { name: self.name.into_inner().into(), source: self.source.into(), scale, contact })
     }
 }

@@ -199,7 +199,12 @@ impl ModelFeet {
         let bodies = FootBodies::find(model, &anatomy, &spheres, &forces, &pose);
         let mut feet = Foot::all(model, &anatomy, &bodies, &pose);
         let misplaced = find_misplaced_spheres(model);
-        mark_misplaced(&mut feet, misplaced.as_ref());
+        if let Some(finding) = &misplaced {
+            let names: HashSet<&String> = finding.spheres.iter().collect();
+            for sphere in feet.iter_mut().flat_map(|foot| &mut foot.spheres) {
+                sphere.misplaced = names.is_empty() || names.contains(&sphere.name);
+            }
+        }
         Ok(Self { name: name.to_owned(), feet, misplaced, missing: Vec::new(), anatomy, pose, bodies })
     }
 
@@ -256,15 +261,6 @@ fn spheres_and_forces(model: &Model, selection: &Selection) -> Result<(Vec<Spher
     spheres.sort_unstable();
     spheres.dedup();
     Ok((spheres, forces))
-}
-
-/// Marks the spheres that a finding says are in wrong places.
-fn mark_misplaced(feet: &mut [Foot], finding: Option<&Finding>) {
-    let Some(finding) = finding else { return };
-    let misplaced: HashSet<&String> = finding.spheres.iter().collect();
-    for sphere in feet.iter_mut().flat_map(|foot| &mut foot.spheres) {
-        sphere.misplaced = misplaced.is_empty() || misplaced.contains(&sphere.name);
-    }
 }
 
 /// The beginning of the names of columns with the values of a sweep's grid.

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use osim_inspect::{CheckResult, FindingIndex, FindingWithRemedy, InspectOptions, Inspection};
 use osim_model::files::{FileName, Files, InMemory};
 use osim_model::{Finding, FindingCode, Model, Pattern, Repair, Severity};
-use osim_requests::options::{OutputOptions, WantedOptions};
+use osim_requests::options::OutputOptions;
 use osim_requests::{ConstantIndentation, DesignRequest, Request};
 
 use crate::{check_with_trials, prepare};
@@ -258,20 +258,16 @@ fn merged_designs(candidates: &[RemedyCandidate]) -> Option<RemedyCandidate> {
         .collect();
     let (first, others) = designs.split_first().filter(|(_, others)| !others.is_empty())?;
     let mut all: DesignRequest = (*first).clone();
-    for other in others {
-        add_wanted_quantities(&mut all.wanted, &other.wanted);
+    let wanted = &mut all.wanted;
+    for DesignRequest { wanted: other, .. } in others.iter().copied() {
+        wanted.indentation = wanted.indentation.or(other.indentation);
+        wanted.restitution = wanted.restitution.or(other.restitution);
+        wanted.impact_speed = wanted.impact_speed.or(other.impact_speed);
+        wanted.constant_indentation = wanted.constant_indentation.or(other.constant_indentation);
+        wanted.state_width = wanted.state_width.or(other.state_width);
     }
     let parts = designs.into_iter().map(|design| design.clone().into()).collect();
     Some(RemedyCandidate { request: all.into(), parts })
-}
-
-/// Adds the quantities of `other` to `wanted`, if `wanted` does not have them yet.
-fn add_wanted_quantities(wanted: &mut WantedOptions, other: &WantedOptions) {
-    wanted.indentation = wanted.indentation.or(other.indentation);
-    wanted.restitution = wanted.restitution.or(other.restitution);
-    wanted.impact_speed = wanted.impact_speed.or(other.impact_speed);
-    wanted.constant_indentation = wanted.constant_indentation.or(other.constant_indentation);
-    wanted.state_width = wanted.state_width.or(other.state_width);
 }
 
 /// The text before the number in the names of files that steps write, such as `human.fixed-1.osim` and `human.fixed-2.osim`.

@@ -57,8 +57,9 @@ impl<'r> RowReader<'r> {
         let folder = if folder == Path::new(".") { Path::new("") } else { folder };
         // A caller with a table in memory has its own way to keep columns.
         let keeps_others = request.manifest.is_some();
-        let table = Table::read(table, folder, keeps_others)
+        let mut table = Table::read(table, folder, keeps_others)
             .map_err(|fault| LibraryFault::new(fault).with_context(name))?;
+        table.yes.clone_from(&request.answers.yes);
         let others = table.unmarked_user_columns();
         let columns = summary_columns()?;
         if let Some(taken) = others.iter().find(|other| columns.iter().any(|column| column == *other)) {
@@ -70,7 +71,7 @@ impl<'r> RowReader<'r> {
             format!("{name}: these columns are not options, so a summary keeps them: {}", others.join(", "));
         let remarks = if others.is_empty() { Vec::new() } else { vec![remark] };
         let rows = TableRows {
-            table: table.answering(request.answers.yes.clone()),
+            table,
             call_output: &request.output,
             writable_folder: (!request.allow_outside)
                 .then(|| WritableFolder::of_folder(request.output.output_dir.as_deref().unwrap_or(folder))),

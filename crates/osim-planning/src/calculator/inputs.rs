@@ -305,11 +305,6 @@ impl RestingContact {
         Ok(Some(Self { speed_state, dissipation_s_m, smoothing_s_m, is_default: wanted_s_m.is_none() }))
     }
 
-    /// Whether the force at speed 0 differs from the Hertz force.
-    pub(super) fn changes_force(self) -> bool {
-        self.speed_state != 1.0
-    }
-
     /// A sentence for the results, if the force at speed 0 visibly differs from the Hertz force.
     pub(super) fn remark(self) -> Option<String> {
         let share = readable(self.speed_state);

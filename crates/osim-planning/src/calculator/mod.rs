@@ -256,7 +256,7 @@ fn add_sizing(
 ) -> Result<(), RequestFault> {
     let (radius, x) = (sizing.radius_m, sizing.relative_indentation);
     let (load_n, k) = (sizing.load_per_sphere_n, sizing.stiffness_n_m);
-    let smoothed = at_rest.is_some_and(RestingContact::changes_force);
+    let smoothed = at_rest.is_some_and(|at_rest| at_rest.speed_state != 1.0);
     sheet.add_at_rest(smoothed, DesignQuantity::LoadPerSphere, load_n, known.load_per_sphere_n.is_some());
     sheet.add(DesignQuantity::Radius, radius, known.radius_m.is_some());
     let x_given = known.relative_indentation.is_some() && inputs.depth == Input::Indentation;

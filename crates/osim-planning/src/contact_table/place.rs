@@ -1,7 +1,7 @@
 //! The place of a contact from a table on its body.
 
+use osim_model::DVec3;
 use osim_model::feet::{DefaultPose, PoseFault};
-use osim_model::{DVec3, Placement};
 
 /// A frame coincides with ground if its origin and the tips of its axes are at most this far from those of ground, m.
 const SAME_FRAME_M: f64 = 1e-9;
@@ -62,8 +62,10 @@ impl TablePlace {
         if let Some(apart) = apart.filter(|apart| *apart > SAME_PLACE_M) {
             return Err(PlaceFault::Disagree(apart));
         }
+        let points = [DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::Z];
+        let is_ground = |point: DVec3| frame.point(point).distance(point) <= SAME_FRAME_M;
         match local {
-            _ if coincides_with_ground(frame) => Ok(as_given(global)),
+            _ if points.into_iter().all(is_ground) => Ok(as_given(global)),
             Some(local) => Ok(as_given(local)),
             None if at_default_pose => {
                 Ok(PlaceOnBody { location_m: frame.inverse().point(global).into(), from_default_pose: true })
@@ -71,12 +73,6 @@ impl TablePlace {
             None => Err(PlaceFault::OnlyGlobal),
         }
     }
-}
-
-/// Whether the origin of the frame and the tips of its axes coincide with those of ground.
-fn coincides_with_ground(frame: &Placement) -> bool {
-    let points = [DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::Z];
-    points.into_iter().all(|point| frame.point(point).distance(point) <= SAME_FRAME_M)
 }
 
 #[cfg(test)]

@@ -291,13 +291,13 @@ impl PlayedRecording {
             let measured = result.measured.as_ref();
             let has_points = measured.is_some_and(|measured| measured.has_points.get(index) == Some(&true));
             let plates = measured.and_then(|measured| measured.feet.get(index));
-            let seen = FootFrames { result, foot, frames: &frames };
             PlayedFoot {
                 name: foot.foot.name.clone(),
                 side: foot.foot.side.map(Side::as_str),
-                model: seen.played_force(|frame| foot.wrenches.get(frame).copied(), true),
+                model: played_force((result, foot), &frames, |frame| foot.wrenches.get(frame).copied(), true),
                 plates: plates.map(|plates| {
-                    seen.played_force(|frame| plates.get(frame).copied().flatten(), has_points)
+                    let wrench_at = |frame: usize| plates.get(frame).copied().flatten();
+                    played_force((result, foot), &frames, wrench_at, has_points)
                 }),
             }
         });
@@ -312,35 +312,25 @@ impl PlayedRecording {
     }
 }
 
-/// The frames in which a foot is shown, with the forces on this foot.
-struct FootFrames<'r> {
-    result: &'r MotionResult,
-    foot: &'r FootSummary,
-    frames: &'r [usize],
-}
-
-impl FootFrames<'_> {
-    /// The force on the foot in each frame, in body weights, from `wrench_at`.
-    fn played_force(&self, wrench_at: impl Fn(usize) -> Option<Wrench>, has_points: bool) -> PlayedForce {
-        let weight_n = self.result.summary.weight_n;
-        let forces = self
-            .frames
-            .iter()
-            .map(|&frame| wrench_at(frame).map(|wrench| (wrench.force_n / weight_n).into()));
-        let points = self
-            .frames
-            .iter()
-            .map(|&frame| self.point_on_floor(frame, &wrench_at(frame)?).filter(|_| has_points));
-        PlayedForce { forces_bw: forces.collect(), points_m: points.collect() }
-    }
-
-    /// The centre of pressure on the floor below the foot.
-    fn point_on_floor(&self, frame: usize, wrench: &Wrench) -> Option<[f64; 3]> {
-        let states = &self.result.states;
-        let first = *self.foot.foot.pairs.first()?;
-        let (state, pair) = (states.frame(frame).get(first)?, states.pairs.get(first)?);
-        let least_n = TOUCH_DOWN_BW * self.result.summary.weight_n;
-        let centre = wrench.centre_of_pressure(state.normal, state.on_surface_m(pair.radius_m), least_n)?;
-        Some(centre.point_m.into())
+/// The force on a foot in each frame, in body weights, from `wrench_at`, and where it acts on the floor, if plates or contacts know it.
+fn played_force(
+    (result, foot): (&MotionResult, &FootSummary),
+    frames: &[usize],
+    wrench_at: impl Fn(usize) -> Option<Wrench>,
+    has_points: bool,
+) -> PlayedForce {
+    let weight_n = result.summary.weight_n;
+    let force = |&frame: &usize| Some((wrench_at(frame)?.force_n / weight_n).into());
+    // The centre of pressure on the floor below the foot.
+    let point = |&frame: &usize| {
+        let first = *foot.foot.pairs.first()?;
+        let (state, pair) = (result.states.frame(frame).get(first)?, result.states.pairs.get(first)?);
+        let (on_surface_m, least_n) = (state.on_surface_m(pair.radius_m), TOUCH_DOWN_BW * weight_n);
+        let centre = wrench_at(frame)?.centre_of_pressure(state.normal, on_surface_m, least_n)?;
+        Some(centre.point_m.into()).filter(|_| has_points)
+    };
+    PlayedForce {
+        forces_bw: frames.iter().map(force).collect(),
+        points_m: frames.iter().map(point).collect(),
     }
 }

@@ -67,13 +67,19 @@ impl Sheet {
         }
         let mut reader = csv::ReaderBuilder::new();
         let mut reader = reader.delimiter(delimiter).trim(csv::Trim::All).flexible(true).from_reader(bytes);
-        let not_text = |error: &csv::Error| csv_error_text(error, bytes);
-        let header = reader.headers().map_err(|error| not_text(&error))?;
+        let not_text = |error: csv::Error| match error.kind() {
+            csv::ErrorKind::Utf8 { pos: Some(place), .. } => {
+                let line = LineCounter { bytes, at: 0, line: 1 }.line_at(place.byte());
+                format!("line {line}: not UTF-8 text: save it as CSV in UTF-8")
+            }
+            _ => error.to_string(),
+        };
+        let header = reader.headers().map_err(not_text)?;
         let header: Vec<String> = header.iter().map(str::to_owned).collect();
         let mut lines = LineCounter { bytes, at: 0, line: 1 };
         let (mut rows, mut unequal) = (Vec::new(), Vec::new());
         for record in reader.records() {
-            let record = record.map_err(|error| not_text(&error))?;
+            let record = record.map_err(not_text)?;
             let line = record.position().map_or(0, |position| lines.line_at(position.byte()));
             // Spreadsheets leave rows of empty cells at the end.
             if record.iter().all(str::is_empty) {
@@ -194,17 +200,6 @@ fn with_decimal_point(cell: &str, delimiter: u8) -> Result<Cow<'_, str>, &'stati
         (1, false) if delimiter != b',' => Ok(cell.replace(',', ".").into()),
         (1, false) => Err("has a decimal comma: separate the columns by ; or write a decimal point"),
         _ => Err("has separators between thousands, expected a plain number"),
-    }
-}
-
-/// The error of the CSV reader in words, with its line.
-fn csv_error_text(error: &csv::Error, bytes: &[u8]) -> String {
-    match error.kind() {
-        csv::ErrorKind::Utf8 { pos: Some(place), .. } => {
-            let line = LineCounter { bytes, at: 0, line: 1 }.line_at(place.byte());
-            format!("line {line}: not UTF-8 text: save it as CSV in UTF-8")
-        }
-        _ => error.to_string(),
     }
 }
 

@@ -52,8 +52,20 @@ pub struct MadeVariant {
 }
 
 impl MadeVariant {
+    /// The variant's row of the table, in the order of [`header`].
     pub fn row(self, sha256: String) -> Vec<String> {
-        row_of_table(self.number, self.file, self.asked, &self.variant, (&self.worse, sha256))
+        let Self { number, file, asked, variant, worse, .. } = self;
+        let cell = |value: Option<f64>| value.map(shortest).unwrap_or_default();
+        let properties = PropertySet::SCALED.map(|property| cell(variant.common_value(property)));
+        let follows = [
+            variant.indentations(Figure::Indentation),
+            variant.indentations(Figure::IndentationModelLaw),
+            cell(variant.figure(Figure::DimensionlessStiffness)),
+            cell(variant.figure(Figure::RestitutionExact)),
+            worse.join(" "),
+            sha256,
+        ];
+        [number.to_string(), file].into_iter().chain(asked).chain(properties).chain(follows).collect()
     }
 
     /// A digest that is equal for variants whose contacts have equal numbers.
@@ -301,26 +313,4 @@ fn header(asked: Vec<String>) -> Vec<String> {
     .map(str::to_owned);
     let first = FIRST_COLUMNS_OF_SWEEP.map(str::to_owned).into_iter();
     first.chain(asked).chain(properties).chain(follows).collect()
-}
-
-/// The cells of one variant. `worse` has the codes of errors and warnings that the original model does not have; `sha256` is the digest of
-/// the bytes.
-fn row_of_table(
-    number: usize,
-    file: String,
-    asked: Vec<String>,
-    variant: &Variant,
-    (worse, sha256): (&[&str], String),
-) -> Vec<String> {
-    let cell = |value: Option<f64>| value.map(shortest).unwrap_or_default();
-    let properties = PropertySet::SCALED.map(|property| cell(variant.common_value(property)));
-    let follows = [
-        variant.indentations(Figure::Indentation),
-        variant.indentations(Figure::IndentationModelLaw),
-        cell(variant.figure(Figure::DimensionlessStiffness)),
-        cell(variant.figure(Figure::RestitutionExact)),
-        worse.join(" "),
-        sha256,
-    ];
-    [number.to_string(), file].into_iter().chain(asked).chain(properties).chain(follows).collect()
 }

@@ -74,7 +74,8 @@ impl RowCells {
                 CellKind::Model => cells.model = path_below(folder, cell),
                 CellKind::Path => cells.set_path(&column.field, path_below(folder, cell)),
                 CellKind::From => {
-                    let presets = presets_file_of_row(row, columns, folder);
+                    let presets = filled_cells(row, columns).find(|(column, _)| column.field == "presets");
+                    let presets = presets.map(|(_, cell)| path_below(folder, cell));
                     let from = preset_or_model_path(folder, cell, presets.as_deref(), files);
                     cells.set_field(&column.field, path::to_value(&from));
                 }
@@ -150,11 +151,6 @@ fn verb_of_row(row: &Row, columns: &Columns) -> Result<Verb, RowFault> {
     let shown = VERBS_OF_COLUMNS.into_iter().find(|(field, _)| filled(field).is_some());
     let message = "what to do is missing: fill in a target mass (rescale), from (transfer), set, or verb";
     shown.map(|(_, verb)| verb).ok_or_else(|| RowFault::general(message))
-}
-
-fn presets_file_of_row(row: &Row, columns: &Columns, folder: &Path) -> Option<PathBuf> {
-    let (_, cell) = filled_cells(row, columns).find(|(column, _)| column.field == "presets")?;
-    Some(path_below(folder, cell))
 }
 
 /// A path in the table, which begins at the table's own folder.

@@ -27,7 +27,8 @@ pub struct Table {
     masses: MassesOfTable,
     /// The folder at which relative paths in the table begin.
     folder: PathBuf,
-    yes: Vec<YesQuestion>,
+    /// Questions that the call answers for all rows.
+    pub yes: Vec<YesQuestion>,
 }
 
 /// The request of one row of a table.
@@ -63,11 +64,6 @@ impl Table {
         let columns = Columns::from_header(&sheet.header, keeps_others)?;
         let masses = MassesOfTable::of(&sheet, &columns);
         Ok(Self { sheet, columns, masses, folder: folder.to_owned(), yes: Vec::new() })
-    }
-
-    /// The table with answers to questions, for all rows. Rows may have further answers.
-    pub fn answering(self, yes: Vec<YesQuestion>) -> Self {
-        Self { yes, ..self }
     }
 
     /// Each row that is not empty as a request. `call` has the output options for rows without such options.
