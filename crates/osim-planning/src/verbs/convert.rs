@@ -6,7 +6,7 @@ use osim_patch::{Convert, Converted, ObjectAction, ObjectChange, Plan, connect_s
 use osim_requests::options::InspectionOptions;
 use osim_requests::{ConvertRequest, Positive, RequestFault};
 
-use crate::prepared_change::{Planner, PreparedChange};
+use crate::prepared_change::PreparedChange;
 use crate::remarks::{
     findings_on_smoothing, refuse_geometry_output, remark_on_old_document, remarks_on_dropped_pairs,
     remarks_on_missing_names, remarks_on_smoothing,
@@ -15,12 +15,6 @@ use crate::remarks::{
 /// The remark that spheres and planes inside forces were moved to the geometry set.
 const REMARK_GEOMETRY_TAKEN_OUT: &str = "spheres and planes that forces kept inside themselves, as in Moco 0.1 to 0.3, are in the ContactGeometrySet: OpenSim 4.2 and \
      later read the model now, and Moco 0.1 to 0.3 does not any more";
-
-/// Plans the conversion of a model's forces to the other class.
-struct ConvertPlanner {
-    wanted: Convert,
-    selection: Selection,
-}
 
 /// Plans new paths for sockets that lead nowhere.
 fn plan_sockets(model: &Model) -> Result<Plan, Fault> {
@@ -58,7 +52,8 @@ pub(super) fn prepare(request: ConvertRequest) -> Result<PreparedChange, Request
     wanted.hertz_smoothing = request.hertz_smoothing.map(Positive::get);
     wanted.hunt_crossley_smoothing = request.hunt_crossley_smoothing.map(Positive::get);
     wanted.strict = request.strict;
-    let planner = ConvertPlanner { wanted, selection: request.choice.selection() };
+    let selection = request.choice.selection();
+    let planner = move |model: &Model| plan_conversion(model, &selection, &wanted);
     let inspection = InspectionOptions {
         choice: request.choice,
         answers: request.answers,
@@ -81,54 +76,50 @@ fn refuse_smoothing(request: &ConvertRequest, to: ForceKind) -> Result<(), Reque
     Err(RequestFault::refused(input, needs))
 }
 
-impl Planner for ConvertPlanner {
-    fn plan(&self, model: &Model) -> Result<Plan, Fault> {
-        let selected = self.selection.apply_to_all(model)?;
-        let dropped_pairs = remarks_on_dropped_pairs(model, &selected)?;
-        let Converted { rebuilt, findings, renamed, without_sphere, dropped } =
-            convert(model, &selected, &self.wanted)?;
-        // Spheres and planes that forces had inside themselves are new objects, too.
-        let is_force = |object: &&ObjectChange| !object.class.starts_with("Contact");
-        let forces_with = |action: ObjectAction| {
-            rebuilt.objects.iter().filter(move |object| object.action == action).filter(is_force)
-        };
-        let (old, new) =
-            (forces_with(ObjectAction::Removed).count(), forces_with(ObjectAction::Added).count());
-        let class = self.wanted.to.as_str();
-        let changes_class = forces_with(ObjectAction::Removed).any(|object| object.class != class);
-        let summary = match old {
-            0 if !without_sphere.is_empty() => "no force changes".to_owned(),
-            0 if selected.forces.len() < model.forces().len() => {
-                format!("every chosen force is a {class} for one sphere already")
-            }
-            0 => format!("every force is a {class} for one sphere already"),
-            1 => format!("1 force becomes {}, one for each sphere", counted(new, class)),
-            _ => format!("{old} forces become {}, one for each sphere", counted(new, class)),
-        };
-        let taken_out = rebuilt.objects.iter().any(|object| !is_force(&object));
-        let missing_names = remarks_on_missing_names(&rebuilt);
-        let is_smoothed = changes_class && self.wanted.to == ForceKind::SmoothSphereHalfSpace;
-        let smoothing_findings =
-            if is_smoothed { findings_on_smoothing(rebuilt.model()) } else { Vec::new() };
-        let old_document = remark_on_old_document(&rebuilt);
-        let note = kept_note(model, &rebuilt, "convert");
-        let mut plan = Plan::from_objects(rebuilt, summary.into()).with_note(note);
-        plan.findings.extend(findings);
-        plan.remarks.extend(remarks_on_renamed_forces(&renamed));
-        plan.remarks.extend(taken_out.then(|| REMARK_GEOMETRY_TAKEN_OUT.into()));
-        plan.remarks.extend(missing_names);
-        plan.remarks.extend(old_document);
-        if changes_class {
-            plan.remarks.extend(remark_on_names_of_old_class(&plan, class));
-            plan.remarks.extend(remarks_on_new_class(&plan, &self.wanted));
-            plan.findings.extend(smoothing_findings);
+fn plan_conversion(model: &Model, selection: &Selection, wanted: &Convert) -> Result<Plan, Fault> {
+    let selected = selection.apply_to_all(model)?;
+    let dropped_pairs = remarks_on_dropped_pairs(model, &selected)?;
+    let Converted { rebuilt, findings, renamed, without_sphere, dropped } =
+        convert(model, &selected, wanted)?;
+    // Spheres and planes that forces had inside themselves are new objects, too.
+    let is_force = |object: &&ObjectChange| !object.class.starts_with("Contact");
+    let forces_with = |action: ObjectAction| {
+        rebuilt.objects.iter().filter(move |object| object.action == action).filter(is_force)
+    };
+    let (old, new) = (forces_with(ObjectAction::Removed).count(), forces_with(ObjectAction::Added).count());
+    let class = wanted.to.as_str();
+    let changes_class = forces_with(ObjectAction::Removed).any(|object| object.class != class);
+    let summary = match old {
+        0 if !without_sphere.is_empty() => "no force changes".to_owned(),
+        0 if selected.forces.len() < model.forces().len() => {
+            format!("every chosen force is a {class} for one sphere already")
         }
-        plan.remarks.extend(dropped_pairs);
-        let stays = |path: &String| format!("{path} holds no sphere that moves, and stays as it is").into();
-        plan.remarks.extend(without_sphere.iter().map(stays));
-        plan.remarks.extend(remarks_on_dropped_content(&dropped));
-        Ok(plan)
+        0 => format!("every force is a {class} for one sphere already"),
+        1 => format!("1 force becomes {}, one for each sphere", counted(new, class)),
+        _ => format!("{old} forces become {}, one for each sphere", counted(new, class)),
+    };
+    let taken_out = rebuilt.objects.iter().any(|object| !is_force(&object));
+    let missing_names = remarks_on_missing_names(&rebuilt);
+    let is_smoothed = changes_class && wanted.to == ForceKind::SmoothSphereHalfSpace;
+    let smoothing_findings = if is_smoothed { findings_on_smoothing(rebuilt.model()) } else { Vec::new() };
+    let old_document = remark_on_old_document(&rebuilt);
+    let note = kept_note(model, &rebuilt, "convert");
+    let mut plan = Plan::from_objects(rebuilt, summary.into()).with_note(note);
+    plan.findings.extend(findings);
+    plan.remarks.extend(remarks_on_renamed_forces(&renamed));
+    plan.remarks.extend(taken_out.then(|| REMARK_GEOMETRY_TAKEN_OUT.into()));
+    plan.remarks.extend(missing_names);
+    plan.remarks.extend(old_document);
+    if changes_class {
+        plan.remarks.extend(remark_on_names_of_old_class(&plan, class));
+        plan.remarks.extend(remarks_on_new_class(&plan, wanted));
+        plan.findings.extend(smoothing_findings);
     }
+    plan.remarks.extend(dropped_pairs);
+    let stays = |path: &String| format!("{path} holds no sphere that moves, and stays as it is").into();
+    plan.remarks.extend(without_sphere.iter().map(stays));
+    plan.remarks.extend(remarks_on_dropped_content(&dropped));
+    Ok(plan)
 }
 
 /// Remarks on the new names of forces, which other files now have to use.

@@ -4,26 +4,14 @@ use osim_inspect::{ContactsOrigin, Stance};
 use osim_model::compare::ScaleFile;
 use osim_model::files::Files;
 use osim_model::messages::{Input, Verb, phrase, readable};
-use osim_model::{
-    Fault, MassRequest, MissingFact, Model, Note, NoteDoubt, RadiusRule, ScaledSinceNote, Selection,
-};
+use osim_model::{Fault, MassRequest, MissingFact, Model, Note, NoteDoubt, RadiusRule, ScaledSinceNote};
 use osim_patch::{OPERATION_FOLLOWING_NOTE, OPERATION_FOLLOWING_SCALE_FILE, Plan, Rescale, rescale};
-use osim_requests::options::{InspectionOptions, ScalingOptions};
+use osim_requests::options::InspectionOptions;
 use osim_requests::{Acceleration, RequestError, RequestFault, RescaleRequest};
 
 use crate::opening::read_scale_file;
-use crate::prepared_change::{Planner, PreparedChange};
+use crate::prepared_change::PreparedChange;
 use crate::remarks::{operation_with_radius, refuse_repetition};
-
-/// Plans the rescaling of a model's contacts to the target mass.
-struct RescalePlanner {
-    target_mass_kg: f64,
-    masses: MassRequest,
-    selection: Selection,
-    scaling: ScalingOptions,
-    following: BodyFactors,
-    may_repeat: bool,
-}
 
 /// Checks the request for all of its models, and reads the ScaleSet if the request names one.
 ///
@@ -54,42 +42,27 @@ pub(crate) fn prepare_with_factors(
     };
     scaling.check()?;
     scaling.refuse_radii_of_bodies()?;
-    let target_mass_kg = Some(target_mass.get());
+    let target_mass_kg = target_mass.get();
     let target_gravity_m_s2 = scaling.target_gravity.map(Acceleration::get);
-    let planner = RescalePlanner {
-        target_mass_kg: target_mass.get(),
-        masses: MassRequest { target_mass_kg, ..masses.request() },
-        selection: choice.selection(),
-        scaling,
-        following: match bodies {
-            Some(file) => BodyFactors::File(file),
-            None if request.follow_bodies => BodyFactors::Note,
-            None => BodyFactors::Nothing,
-        },
-        may_repeat: output.may_repeat(),
+    let mass_request = MassRequest { target_mass_kg: Some(target_mass_kg), ..masses.request() };
+    let selection = choice.selection();
+    let following = match bodies {
+        Some(file) => BodyFactors::File(file),
+        None if request.follow_bodies => BodyFactors::Note,
+        None => BodyFactors::Nothing,
     };
-    let inspection = InspectionOptions { masses, choice, set_files, answers, ..InspectionOptions::default() };
-    Ok(PreparedChange {
-        target_mass_kg,
-        target_gravity_m_s2,
-        extra_files: request.body_scale_file.into_iter().collect(),
-        ..PreparedChange::new(Verb::Rescale, models, output, inspection, planner)
-    })
-}
-
-impl Planner for RescalePlanner {
-    fn plan(&self, model: &Model) -> Result<Plan, Fault> {
-        let selected = self.selection.apply(model)?;
-        let scaling = &self.scaling;
+    let may_repeat = output.may_repeat();
+    let plan = move |model: &Model| -> Result<Plan, Fault> {
+        let selected = selection.apply(model)?;
         let radius = scaling.radius();
-        let operation = operation_with_radius(self.following.operation(), radius);
+        let operation = operation_with_radius(following.operation(), radius);
         if matches!(radius, Some(RadiusRule::Factor(_))) {
-            refuse_repetition(model, &operation, self.may_repeat)?;
+            refuse_repetition(model, &operation, may_repeat)?;
         }
-        let origin = ContactsOrigin::find(model, &selected.forces, &self.masses, &Stance::default())?;
-        origin.refuse_other_body(model, &self.masses, Input::ContactsMass)?;
+        let origin = ContactsOrigin::find(model, &selected.forces, &mass_request, &Stance::default())?;
+        origin.refuse_other_body(model, &mass_request, Input::ContactsMass)?;
         let ContactsOrigin { mass: contacts_mass, mut findings, .. } = origin;
-        let bodies = self.following.factors(model)?;
+        let bodies = following.factors(model)?;
         if bodies.is_some() && !contacts_mass.source.is_about_contacts() {
             // The bodies were scaled, so their mass is not the one that the contacts were made for.
             return Err(Fault::new(MissingFact::ContactsMass {
@@ -98,11 +71,11 @@ impl Planner for RescalePlanner {
                 input: Input::ContactsMass,
             }));
         }
-        let mut wanted = Rescale::new(self.target_mass_kg, contacts_mass);
+        let mut wanted = Rescale::new(target_mass_kg, contacts_mass);
         wanted.radius = radius.unwrap_or(RadiusRule::Isometric);
         wanted.properties = scaling.properties();
         wanted.dissipation_by = scaling.dissipation();
-        wanted.target_gravity_m_s2 = scaling.target_gravity.map(Acceleration::get);
+        wanted.target_gravity_m_s2 = target_gravity_m_s2;
         wanted.contacts_gravity_m_s2 = scaling.contacts_gravity.map(Acceleration::get);
         wanted.level = scaling.level_axis(model.gravity_m_s2);
         wanted.bodies = bodies;
@@ -110,7 +83,14 @@ impl Planner for RescalePlanner {
         plan.name_operation(&operation);
         plan.findings.append(&mut findings);
         Ok(plan)
-    }
+    };
+    let inspection = InspectionOptions { masses, choice, set_files, answers, ..InspectionOptions::default() };
+    Ok(PreparedChange {
+        target_mass_kg: Some(target_mass_kg),
+        target_gravity_m_s2,
+        extra_files: request.body_scale_file.into_iter().collect(),
+        ..PreparedChange::new(Verb::Rescale, models, output, inspection, plan)
+    })
 }
 
 /// The factors in a ScaleSet and in a note agree if they differ by at most this (relative).

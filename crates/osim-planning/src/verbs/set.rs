@@ -3,65 +3,47 @@
 use osim_inspect::{ContactsOrigin, Stance};
 use osim_model::feet::{NotLevelled, levelled_spheres};
 use osim_model::messages::{Input, Verb, phrase};
-use osim_model::{Fault, ForceId, Mass, MassRequest, MassSource, Model, Selection, SphereId};
-use osim_patch::{Plan, Set, set};
+use osim_model::{Fault, ForceId, Mass, MassSource, Model, SphereId};
+use osim_patch::{Set, set};
 use osim_requests::options::InspectionOptions;
-use osim_requests::{Assignments, RequestFault, SetRequest};
+use osim_requests::{RequestFault, SetRequest};
 
-use crate::prepared_change::{Planner, PreparedChange};
-
-/// Plans new values or factors for contact parameters, as the caller gave them.
-struct SetPlanner {
-    assignments: Assignments,
-    level: bool,
-    selection: Selection,
-    masses: MassRequest,
-    may_repeat: bool,
-}
+use crate::prepared_change::PreparedChange;
 
 /// Checks the request for all of its models.
 ///
 /// # Errors
 /// No model, or nothing to set.
 pub(crate) fn prepare(request: SetRequest) -> Result<PreparedChange, RequestFault> {
-    let SetRequest { models, set, level, masses, choice, output, run: _, answers, set_files } = request;
+    let SetRequest { models, set: assignments, level, masses, choice, output, run: _, answers, set_files } =
+        request;
     if models.is_empty() {
         return Err(RequestFault::Missing { field: "models" });
     }
-    if set.is_empty() && !level {
+    if assignments.is_empty() && !level {
         return Err(RequestFault::general(phrase![
             "nothing to set, expected PROPERTY=VALUE or PROPERTY=xFACTOR, for example stiffness=x2, or ",
             Input::Level,
         ]));
     }
-    let planner = SetPlanner {
-        assignments: set,
-        level,
-        selection: choice.selection(),
-        masses: masses.request(),
-        may_repeat: output.may_repeat(),
-    };
-    let inspection = InspectionOptions { masses, choice, set_files, answers, ..InspectionOptions::default() };
-    Ok(PreparedChange::new(Verb::Set, models, output, inspection, planner))
-}
-
-impl Planner for SetPlanner {
-    fn plan(&self, model: &Model) -> Result<Plan, Fault> {
-        let selected = self.selection.apply(model)?;
+    let (selection, known_masses) = (choice.selection(), masses.request());
+    let may_repeat = output.may_repeat();
+    let planner = move |model: &Model| {
+        let selected = selection.apply(model)?;
         // This change needs no mass; if one is known, the new note has it.
         let noted_mass =
             || Some(Mass { kg: model.note.as_ref()?.contacts_mass_kg?, source: MassSource::Note });
-        let origin = ContactsOrigin::find(model, &selected.forces, &self.masses, &Stance::default());
+        let origin = ContactsOrigin::find(model, &selected.forces, &known_masses, &Stance::default());
         let (contacts_mass, findings) = match origin {
             Ok(origin) => (Some(origin.mass), origin.findings),
             Err(_) => (noted_mass(), Vec::new()),
         };
-        let mut wanted = Set::new(self.assignments.as_slice().to_vec());
+        let mut wanted = Set::new(assignments.as_slice().to_vec());
         wanted.contacts_mass = contacts_mass;
-        wanted.repeat = self.may_repeat;
-        if self.level && self.assignments.is_empty() {
+        wanted.repeat = may_repeat;
+        if level && assignments.is_empty() {
             wanted.level = Some(level_places(model, &selected.forces)?);
-        } else if self.level {
+        } else if level {
             // The radii of the spheres are the new ones.
             let changed = set(model, &selected, &wanted)?.changed_model(model)?;
             wanted.level = Some(level_places(&changed, &selected.forces)?);
@@ -69,7 +51,9 @@ impl Planner for SetPlanner {
         let mut plan = set(model, &selected, &wanted)?;
         plan.findings.extend(findings);
         Ok(plan)
-    }
+    };
+    let inspection = InspectionOptions { masses, choice, set_files, answers, ..InspectionOptions::default() };
+    Ok(PreparedChange::new(Verb::Set, models, output, inspection, planner))
 }
 
 /// The new centres of the spheres of `forces`, with which all bottoms of a foot are as low as its lowest bottom; m, in the frames of the
