@@ -76,7 +76,8 @@ impl ReportPage {
             (None, failure) => failure.map(|failure| failure.model.to_string()).unwrap_or_default(),
         };
         let is_for_one_model = request.tasks.len() + request.failures.len() == 1;
-        let head = PageHead::new(request.verb, is_for_one_model.then(shown), Columns::Changes, call);
+        let model = is_for_one_model.then(shown);
+        let head = PageHead { verb: request.verb, model, columns: Columns::Changes, call };
         // A resumed run writes its page again, as it does its summary.
         let may_replace = request.force || run.is_resumed() && is_report_page(path);
         Self::begin(path, may_replace, head, &request.failures, words).map(Some)

@@ -66,7 +66,7 @@ impl Survey<'_> {
             ([], [failure]) => Some(failure.model.to_string()),
             _ => None,
         };
-        let head = PageHead::new(self.verb, shown, Columns::Inspections, call);
+        let head = PageHead { verb: self.verb, model: shown, columns: Columns::Inspections, call };
         OutputFolders::list(std::iter::once(path.as_path()), true);
         let failures = &self.sources.failures;
         ReportPage::begin(path, self.report.force, head, failures, self.words).map(Some)

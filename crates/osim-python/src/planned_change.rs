@@ -13,7 +13,7 @@ use osim_planning::{PreparedChange, prepare};
 use osim_requests::Request;
 use osim_requests::options::OutputOptions;
 use osim_requests::spell::Python as PythonWords;
-use osim_view::html::{Columns, DeferredParts, DetailLevel, Page, PageHead, TextInMemory};
+use osim_view::html::{Columns, DeferredParts, DetailLevel, Page, PageHead};
 use osim_view::report::json::PlanRecord;
 use osim_view::report::plan as plan_text;
 use pyo3::prelude::*;
@@ -180,9 +180,9 @@ impl Planned {
                 both.map(|both| entry_of_change(&changed, &both, detail, PYTHON_SPELLING))
             })?;
             let verb = Verb::ALL.iter().copied().find(|known| known.name() == verb).unwrap_or(Verb::Set);
-            let name = self.model.opened.name().to_string();
-            let head = PageHead::new(verb, Some(name), Columns::Changes, call);
-            let mut page = Page::new(head, DeferredParts::<TextInMemory>::default(), PYTHON_SPELLING);
+            let model = Some(self.model.opened.name().to_string());
+            let head = PageHead { verb, model, columns: Columns::Changes, call };
+            let mut page = Page::new(head, DeferredParts::<String>::default(), PYTHON_SPELLING);
             entry.into_iter().for_each(|entry| page.add(entry));
             let mut bytes = Vec::new();
             page.finish(&mut bytes).map_err(Problem::defect)?;

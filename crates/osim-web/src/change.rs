@@ -13,7 +13,7 @@ use osim_requests::options::OutputOptions;
 use osim_requests::spell::{CommandLine, FrontEnd};
 use osim_view::html::{
     Columns, DeferredParts, DetailLevel, Entry, Explained, ListedFiles, NamedDigest, Page, PageHead, RunRow,
-    Section, Sections, TextInMemory,
+    Section, Sections,
 };
 use osim_view::report::json::PlanRecord;
 use osim_view::report::plan::unified_diff;
@@ -268,8 +268,8 @@ impl Report {
     /// The report about one model; `command` is the call of the command that writes the same report.
     pub(crate) fn of(verb: Verb, model: &Path, command: String, entry: Entry) -> Result<Self, Problem> {
         let columns = if verb == Verb::Inspect { Columns::Inspections } else { Columns::Changes };
-        let head = PageHead::new(verb, Some(model.display().to_string()), columns, command);
-        let mut page = Page::new(head, DeferredParts::<TextInMemory>::default(), &CommandLine);
+        let head = PageHead { verb, model: Some(model.display().to_string()), columns, call: command };
+        let mut page = Page::new(head, DeferredParts::<String>::default(), &CommandLine);
         page.add(entry);
         let mut bytes = Vec::new();
         page.finish(&mut bytes).map_err(Problem::defect)?;

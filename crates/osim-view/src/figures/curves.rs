@@ -358,7 +358,7 @@ pub fn indentations(states: &[(&str, &[f64])]) -> Option<String> {
     let limit = limits::INDENTATION.value;
     let mut panel = Panel::new(
         "",
-        Axis::covering("models, in order of x̂", 0.0, as_number(models + 1)),
+        Axis::covering("models, in order of x̂", 0.0, (models + 1) as f64),
         Axis::new("x̂ = x/R at rest (–)"),
     );
     panel.limits.push(Limit::horizontal(format!("limit, x̂ = {limit}"), limit));
@@ -386,11 +386,7 @@ pub(crate) fn count_above_axis(indentations: &[f64]) -> usize {
 fn ranked_points(indentations: &[f64]) -> Vec<Point> {
     let mut sorted = indentations.to_vec();
     sorted.sort_by(f64::total_cmp);
-    sorted.iter().enumerate().map(|(rank, value)| (as_number(rank + 1), value.min(END_OF_AXIS))).collect()
-}
-
-fn as_number(count: usize) -> f64 {
-    count as f64
+    sorted.iter().enumerate().map(|(rank, value)| ((rank + 1) as f64, value.min(END_OF_AXIS))).collect()
 }
 
 #[cfg(test)]

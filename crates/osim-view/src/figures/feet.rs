@@ -4,7 +4,7 @@ use std::collections::{HashMap, HashSet};
 
 use contact_plots::{Ball, Block, Level, LevelKind, Outline, Point, Scene, SceneNames, Spot, State, View};
 use osim_model::feet::{FeetFault, FloorPlace, Foot, FootFrame, FootSphere, silhouette};
-use osim_model::messages::{Dialect, Input, four_significant, listed, phrase, shown};
+use osim_model::messages::{Dialect, Input, counted, four_significant, listed, phrase, shown};
 use osim_model::{DVec2, DVec3};
 use osim_planning::ModelFeet;
 
@@ -258,9 +258,10 @@ fn remarks_on_state(state: &ModelFeet, dialect: &dyn Dialect) -> String {
     let in_ground = state.feet.iter().all(|foot| foot.frame == FootFrame::Ground);
     let pose = if in_ground { ", at the default pose" } else { "" };
     let mut text = format!(
-        "{name}: {}, {}{pose}\n",
-        counted_noun(state.feet.len(), "foot", "feet"),
-        counted_noun(spheres, "sphere", "spheres")
+        "{name}: {} {}, {}{pose}\n",
+        state.feet.len(),
+        if state.feet.len() == 1 { "foot" } else { "feet" },
+        counted(spheres, "sphere")
     );
     if let Some(finding) = &state.misplaced {
         text.push_str(&format!(
@@ -273,10 +274,6 @@ fn remarks_on_state(state: &ModelFeet, dialect: &dyn Dialect) -> String {
         text.push_str(&format!("{name}: {missing}\n"));
     }
     text
-}
-
-fn counted_noun(number: usize, one: &str, many: &str) -> String {
-    format!("{number} {}", if number == 1 { one } else { many })
 }
 
 /// The sentence about bones that are not drawn.

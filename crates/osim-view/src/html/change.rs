@@ -65,8 +65,7 @@ pub(super) fn add_change_sections(
         match &states.after {
             Some((_, found)) => {
                 let (in_file, gravity_m_s2) = (changed.in_file, states.target_gravity_m_s2);
-                let after = findings::NewModelFindings { check: found, in_file, gravity_m_s2 };
-                findings::add_findings_of_change(fragment, checked, &after);
+                findings::add_findings_of_change(fragment, checked, found, in_file, gravity_m_s2);
             }
             None => findings::add_verdicts_and_findings(fragment, checked),
         }

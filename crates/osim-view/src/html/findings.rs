@@ -23,28 +23,28 @@ pub(super) fn add_verdicts_and_findings(fragment: &mut Fragment, check: &CheckRe
     fragment.add_section(SECTION_HEAD.0, SECTION_HEAD.1, &body);
 }
 
-/// Findings of the model after the change.
-pub(super) struct NewModelFindings<'r> {
-    pub(super) check: &'r CheckResult,
-    /// Whether the new model is in a file, so that commands can name it.
-    pub(super) in_file: bool,
-    /// The gravity that the contacts are scaled to, m/s², if it differs from the gravity in the file of the model.
-    pub(super) gravity_m_s2: Option<f64>,
-}
-
 /// Adds the section about findings before and after a change: new findings, findings that stayed, and findings that are gone.
-pub(super) fn add_findings_of_change(fragment: &mut Fragment, now: &CheckResult, new: &NewModelFindings<'_>) {
-    let pairs = pair_with_old(&now.findings, &new.check.findings);
+/// `in_file` says whether the new model is in a file, so that commands can name it. `gravity_m_s2` is the gravity that the contacts
+/// are scaled to, if it differs from the gravity in the file of the model.
+pub(super) fn add_findings_of_change(
+    fragment: &mut Fragment,
+    now: &CheckResult,
+    new: &CheckResult,
+    in_file: bool,
+    gravity_m_s2: Option<f64>,
+) {
+    let old = FindingIndex::new(&now.findings);
+    let pairs: Vec<_> = new.findings.iter().map(|one| (one, old.find_same_or_other_depth(one))).collect();
     let new_findings: Vec<&FindingWithRemedy> =
         pairs.iter().filter(|(_, before)| before.is_none()).map(|(one, _)| *one).collect();
-    let index = FindingIndex::new(&new.check.findings);
+    let index = FindingIndex::new(&new.findings);
     let gone = |one: &&FindingWithRemedy| index.find_same_or_other_depth(one).is_none();
     let gone_findings: Vec<&FindingWithRemedy> = now.findings.iter().filter(gone).collect();
-    let new_findings = items_of_findings(fragment, &new_findings, " of the new file", new.in_file);
+    let new_findings = items_of_findings(fragment, &new_findings, " of the new file", in_file);
     let kept_items: Vec<Markup> = pairs
         .iter()
         .filter_map(|(one, before)| Some((one, before.as_ref()?)))
-        .map(|(one, before)| html! { (item_of_finding(fragment, one, " of the new file", new.in_file)) (old_message(fragment, one, before)) })
+        .map(|(one, before)| html! { (item_of_finding(fragment, one, " of the new file", in_file)) (old_message(fragment, one, before)) })
         .collect();
     let gone_findings = items_of_findings(fragment, &gone_findings, " of the old file", false);
     let groups = [
@@ -55,28 +55,19 @@ pub(super) fn add_findings_of_change(fragment: &mut Fragment, now: &CheckResult,
     let body = html! {
         p {
             "As " code { "check" } " sees the model before, and the new one under the mass its contacts are made for"
-            @if let Some(gravity) = new.gravity_m_s2 {
+            @if let Some(gravity) = gravity_m_s2 {
                 " at " (readable(gravity)) " m/s². The model's own " code { "<gravity>" } " is still another: set it in OpenSim"
             }
             "."
-            @if !new.in_file { " The new model is in no file yet, so no commands are given." }
+            @if !in_file { " The new model is in no file yet, so no commands are given." }
         }
-        (verdicts_of_change(&now.verdicts, &new.check.verdicts))
+        (verdicts_of_change(&now.verdicts, &new.verdicts))
         @for (title, items) in groups {
             (fragment.heading(title))
             @if items.is_empty() { p.quiet { "Nothing." } } @else { (list_of_items(&items)) }
         }
     };
     fragment.add_section(SECTION_HEAD.0, SECTION_HEAD.1, &body);
-}
-
-/// Pairs each finding about the new model with the same or a similar finding about the old model, if there is one.
-fn pair_with_old<'f>(
-    now: &'f [FindingWithRemedy],
-    new: &'f [FindingWithRemedy],
-) -> Vec<(&'f FindingWithRemedy, Option<&'f FindingWithRemedy>)> {
-    let index = FindingIndex::new(now);
-    new.iter().map(|one| (one, index.find_same_or_other_depth(one))).collect()
 }
 
 /// The message of the old finding, if it differs from the new message.
@@ -217,6 +208,10 @@ mod tests {
     fn an_equal_finding_is_preferred_to_a_similar_one() {
         let now = [finding(FindingCode::SunkIn, "a", &["a"]), finding(FindingCode::BeyondHertz, "b", &["b"])];
         let new = [finding(FindingCode::BeyondHertz, "c", &["c"])];
-        assert_eq!(pair_with_old(&now, &new)[0].1.map(|old| old.code()), Some(FindingCode::BeyondHertz));
+        let old = FindingIndex::new(&now);
+        assert_eq!(
+            old.find_same_or_other_depth(&new[0]).map(|old| old.code()),
+            Some(FindingCode::BeyondHertz)
+        );
     }
 }

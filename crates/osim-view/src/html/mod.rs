@@ -5,12 +5,13 @@
 //! stay flat however many models there are.
 //!
 //! ```
-//! use osim_view::html::{PageHead, Columns, TextInMemory, DeferredParts, Page};
+//! use osim_view::html::{PageHead, Columns, DeferredParts, Page};
 //! use osim_model::messages::Verb;
 //! use osim_requests::spell::CommandLine;
 //!
-//! let head = PageHead::new(Verb::Check, None, Columns::Inspections, "osim-contact-scale check models");
-//! let page = Page::new(head, DeferredParts::<TextInMemory>::default(), &CommandLine);
+//! let call = "osim-contact-scale check models".to_owned();
+//! let head = PageHead { verb: Verb::Check, model: None, columns: Columns::Inspections, call };
+//! let page = Page::new(head, DeferredParts::<String>::default(), &CommandLine);
 //! let mut bytes = Vec::new();
 //! page.finish(&mut bytes)?;
 //! let text = String::from_utf8_lossy(&bytes);
@@ -39,7 +40,7 @@ pub use entry::{EarlierRun, Entry, RowError, RunRow};
 pub use fragment::{DetailLevel, Section};
 pub use inspected::{InspectedModelOnPage, ListedFiles, NamedDigest, entry_of_inspected_model};
 pub use models_table::Columns;
-pub use page::{DeferredParts, DeferredText, Page, PageHead, TextInMemory};
+pub use page::{DeferredParts, DeferredText, Page, PageHead};
 pub use page_frame::GENERATOR;
 pub use plots::recording;
 pub use sections::{Explained, Sections};

@@ -23,10 +23,11 @@ const MOST_OPEN_ON_PAPER: usize = 20;
 /// ```
 /// use osim_model::messages::Verb;
 /// use osim_requests::spell::CommandLine;
-/// use osim_view::html::{PageHead, Columns, Entry, TextInMemory, DeferredParts, Page};
+/// use osim_view::html::{PageHead, Columns, Entry, DeferredParts, Page};
 ///
-/// let head = PageHead::new(Verb::Check, None, Columns::Inspections, "osim-contact-scale check models");
-/// let mut page = Page::new(head, DeferredParts::<TextInMemory>::default(), &CommandLine);
+/// let call = "osim-contact-scale check models".to_owned();
+/// let head = PageHead { verb: Verb::Check, model: None, columns: Columns::Inspections, call };
+/// let mut page = Page::new(head, DeferredParts::<String>::default(), &CommandLine);
 /// page.add(Entry::without_contacts("models/arm.osim"));
 /// let mut bytes = Vec::new();
 /// page.finish(&mut bytes)?;
@@ -243,11 +244,6 @@ pub struct PageHead {
 }
 
 impl PageHead {
-    /// A page of `verb`, about the one `model`, or about several models (`None`).
-    pub fn new(verb: Verb, model: Option<String>, columns: Columns, call: impl Into<String>) -> Self {
-        Self { verb, model, columns, call: call.into() }
-    }
-
     pub(super) fn title(&self, models: usize) -> String {
         let what = verb_entry(self.verb).contacts;
         match &self.model {
@@ -273,16 +269,13 @@ pub trait DeferredText {
 }
 
 /// A text that is kept in memory.
-#[derive(Debug, Clone, Default)]
-pub struct TextInMemory(String);
-
-impl DeferredText for TextInMemory {
+impl DeferredText for String {
     fn add(&mut self, text: &str) -> io::Result<()> {
-        self.0.push_str(text);
+        self.push_str(text);
         Ok(())
     }
 
     fn write_to(&mut self, page: &mut dyn Write) -> io::Result<()> {
-        page.write_all(self.0.as_bytes())
+        page.write_all(self.as_bytes())
     }
 }

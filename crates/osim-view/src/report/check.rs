@@ -32,7 +32,10 @@ pub fn text(found: &CheckResult, words: &dyn FrontEnd, layout: Layout) -> String
     let rows = VerdictRows::of(found);
     let is_full = layout.extent.is_full();
     let mut text = wrapped_with_path(&found.model, &headline(found, &rows), "  ", layout.width());
-    text.push_str(&command_lines(&found.commands, words));
+    // These lines are never broken, so that commands can be copied.
+    for command in &found.commands {
+        text.push_str(&format!("{}{}\n", words.prompt(), one_line(command.clone())));
+    }
     text.push('\n');
     for row in &rows.bad {
         text.push_str(&row.text(layout));
@@ -221,12 +224,6 @@ fn part_of_all(some: usize, all: usize) -> String {
         (some, all) if some == all => format!("all {all}"),
         (some, all) => format!("{some} of {all}"),
     }
-}
-
-/// The commands, each on its own line. Lines are never broken, so that commands can be copied.
-fn command_lines(commands: &[String], words: &dyn FrontEnd) -> String {
-    let line = |command: &String| format!("{}{}\n", words.prompt(), one_line(command.clone()));
-    commands.iter().map(line).collect()
 }
 
 /// Each finding with its place, reason and advice. A finding that occurs in several places is explained once.

@@ -7,14 +7,14 @@ use osim_planning::{BeforeAfter, ModelFeet};
 use osim_requests::spell::{CommandLine, FrontEnd, Python};
 use osim_view::html::{
     ChangedModelOnPage, Columns, DeferredParts, DetailLevel, EarlierRun, Entry, InspectedModelOnPage,
-    ListedFiles, NamedDigest, Page, PageHead, RowError, RunRow, TextInMemory, entry_of_changed_model,
+    ListedFiles, NamedDigest, Page, PageHead, RowError, RunRow, entry_of_changed_model,
     entry_of_inspected_model,
 };
 
 use crate::support::{self, open, rescaled};
 
 fn page_text(head: PageHead, front_end: &dyn FrontEnd, entries: impl IntoIterator<Item = Entry>) -> String {
-    let mut page = Page::new(head, DeferredParts::<TextInMemory>::default(), front_end);
+    let mut page = Page::new(head, DeferredParts::<String>::default(), front_end);
     entries.into_iter().for_each(|entry| page.add(entry));
     let mut bytes = Vec::new();
     page.finish(&mut bytes).unwrap();
@@ -22,16 +22,13 @@ fn page_text(head: PageHead, front_end: &dyn FrontEnd, entries: impl IntoIterato
 }
 
 fn head_of_check(model: Option<&str>) -> PageHead {
-    PageHead::new(
-        Verb::Check,
-        model.map(str::to_owned),
-        Columns::Inspections,
-        "osim-contact-scale check a.osim",
-    )
+    let call = "osim-contact-scale check a.osim".to_owned();
+    PageHead { verb: Verb::Check, model: model.map(str::to_owned), columns: Columns::Inspections, call }
 }
 
 fn head_of_changes(model: Option<&str>) -> PageHead {
-    PageHead::new(Verb::Rescale, model.map(str::to_owned), Columns::Changes, "osim-contact-scale a.osim")
+    let call = "osim-contact-scale a.osim".to_owned();
+    PageHead { verb: Verb::Rescale, model: model.map(str::to_owned), columns: Columns::Changes, call }
 }
 
 fn entry_of_model(model: &OpenModel, detail: DetailLevel, front_end: &dyn FrontEnd) -> Entry {
@@ -108,7 +105,8 @@ fn one_model_has_sections_plots_and_explanations() {
 #[test]
 fn names_from_files_are_escaped_on_a_page() {
     let failure = Failure::outside("<b>.osim", "unreadable", "it is \"not\" <there>".to_owned());
-    let head = PageHead::new(Verb::Inspect, None, Columns::Inspections, "inspect '<b>.osim'");
+    let call = "inspect '<b>.osim'".to_owned();
+    let head = PageHead { verb: Verb::Inspect, model: None, columns: Columns::Inspections, call };
     let text = page_text(head, &CommandLine, [Entry::failed(&failure, &CommandLine)]);
     assert!(!text.contains("<b>.osim") && !text.contains("<there>"));
     assert!(text.contains("&lt;b&gt;.osim") && text.contains("failed: it is &quot;not&quot; &lt;there&gt;"));

@@ -100,12 +100,7 @@ const EQUATIONS_OF_PROJECT: &[Equation] = &[
 
 /// A sentence about where the user meets the equation called `label`; empty if there is no such equation.
 pub(crate) fn sentence_of_use(label: &str) -> Phrase {
-    Phrase::template(template(label))
-}
-
-/// The sentence about where the user meets the equation called `label`, with names of inputs and of calls in backquotes.
-fn template(label: &str) -> &'static str {
-    match label {
+    Phrase::template(match label {
         "1" => "fit: modulus and contact onset; drop-test: force of a HuntCrossleyForce; inspect",
         "2" => "relative indentation, everywhere",
         "3" => "design: load per sphere; through (11) everywhere",
@@ -158,17 +153,17 @@ fn template(label: &str) -> &'static str {
         "level" => "`level`: centre of spheres",
         "predsim" => "`transfer follow_bodies rule=predsim`: stiffness, dissipation, smoothing",
         _ => "",
-    }
+    })
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{equations, template};
+    use super::{equations, sentence_of_use};
 
     #[test]
     fn every_equation_says_what_uses_it() {
         for equation in equations() {
-            assert!(!template(equation.label).is_empty(), "{}", equation.label);
+            assert!(!sentence_of_use(equation.label).to_string().is_empty(), "{}", equation.label);
         }
     }
 }

@@ -134,6 +134,8 @@ fn table_of_forces(inspected: &Inspection, layout: Layout) -> String {
     let mut text = format!("{legend}\n{}\n", table.into_lines(layout.columns));
     text.push_str("  (E1*, E* in N/m2, alpha and bv in s/m, slip in m/s, cf in m2, bd in 1/m;\n");
     text.push_str("   friction static/dynamic/viscous)\n");
+    let has_default =
+        |force: &InspectedForce| Property::ALL.iter().any(|&property| force.origin.is_default(property));
     if inspected.forces.iter().any(has_default) {
         text.push_str("  (* not in the file: from <defaults> or OpenSim's class default)\n");
     }
@@ -274,11 +276,6 @@ pub(crate) fn alike_forces(inspected: &Inspection, extent: Extent) -> Vec<ForceG
         }
     }
     groups
-}
-
-/// Whether a number of the force is a default, and not in the element of the force.
-pub fn has_default(force: &InspectedForce) -> bool {
-    Property::ALL.iter().any(|&property| force.origin.is_default(property))
 }
 
 /// The number of forces of each class, and the names of the forces.
