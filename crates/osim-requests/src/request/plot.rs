@@ -135,16 +135,6 @@ impl PlotRequest {
         Ok(())
     }
 
-    /// Whether the plot is a figure of a recorded motion.
-    pub fn is_of_motion(&self) -> bool {
-        self.kind == Some(PlotKind::Motion)
-    }
-
-    /// Whether the plot is a figure of feet: it shows the places of spheres, and no forces.
-    pub fn is_of_feet(&self) -> bool {
-        self.kind == Some(PlotKind::Feet)
-    }
-
     /// The mass to which the drawn contacts are scaled, kg.
     pub fn target_mass_kg(&self) -> Option<f64> {
         self.target_mass.map(Kilograms::get)

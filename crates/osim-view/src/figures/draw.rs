@@ -4,15 +4,14 @@ use contact_plots::{Datum, Drawing, Paper, PlotError};
 use osim_inspect::series::{ContactBody, HeatRequest};
 use osim_model::files::{Failure, Files};
 use osim_model::messages::{Dialect, Input, Phrase, phrase, shortest, terminal_safe};
-use osim_planning::{HeatTable, MotionResult, cell, plot_bodies, plot_feet, plot_motion};
+use osim_planning::{HeatTable, cell, plot_bodies, plot_feet, plot_motion};
 use osim_requests::{FigureOptions, PlotKind, PlotRequest, Positive, RequestError, Span, no_fig1};
 
 use crate::figures::axes::{plot_failure, units_for, weights_in_words};
 use crate::figures::feet::feet_remarks;
 use crate::figures::heat::{heat, table_figure};
-use crate::figures::motion::motion;
 use crate::figures::paper::{fig_c5, fig4};
-use crate::figures::{contact_force, contact_state, drops, feet, loops};
+use crate::figures::{contact_force, contact_state, drops, feet, loops, motion};
 
 /// Reads and draws what a request asks for: the figure, the bodies that it shows, and remarks on them.
 ///
@@ -24,22 +23,26 @@ pub fn draw_request(
     dialect: &dyn Dialect,
 ) -> Result<(Drawing, Vec<ContactBody>, String), RequestError> {
     request.check_models()?;
-    if request.is_of_feet() {
-        let states = plot_feet(request, files)?;
-        let drawing = Drawing::Scene(feet(&states, request.looks.title.as_deref()));
-        let drawing = with_looks(drawing, &request.looks).map_err(|error| failure_of_plot(error, &[]))?;
-        return Ok((drawing, Vec::new(), feet_remarks(&states, dialect)));
-    }
-    if request.is_of_motion() {
-        let drawing = draw_motion(request, &plot_motion(request, files)?)?;
-        return Ok((drawing, Vec::new(), String::new()));
-    }
-    let read = |path| HeatTable::read(path, &request.heat, files);
-    let table = request.heat.table.as_deref().map(read).transpose()?;
-    let bodies = plot_bodies(request, files)?;
-    let drawing = draw(request, &bodies, table.as_ref())?;
-    let remarks = weights_in_words(&bodies, dialect);
-    Ok((drawing, bodies, remarks))
+    let title = request.looks.title.as_deref();
+    let (drawing, remarks) = match request.kind {
+        Some(PlotKind::Feet) => {
+            let states = plot_feet(request, files)?;
+            (Drawing::Scene(feet(&states, title)), feet_remarks(&states, dialect))
+        }
+        Some(PlotKind::Motion) => {
+            (Drawing::Panels(motion(&plot_motion(request, files)?, title)), String::new())
+        }
+        _ => {
+            let read = |path| HeatTable::read(path, &request.heat, files);
+            let table = request.heat.table.as_deref().map(read).transpose()?;
+            let bodies = plot_bodies(request, files)?;
+            let drawing = draw(request, &bodies, table.as_ref())?;
+            let remarks = weights_in_words(&bodies, dialect);
+            return Ok((drawing, bodies, remarks));
+        }
+    };
+    let drawing = with_looks(drawing, &request.looks).map_err(|error| failure_of_plot(error, &[]))?;
+    Ok((drawing, Vec::new(), remarks))
 }
 
 /// Draws the figure that `request` describes, of `bodies` or of a table. The size of the paper is not yet known.
@@ -106,15 +109,6 @@ fn with_looks(mut drawing: Drawing, looks: &FigureOptions) -> Result<Drawing, Pl
         drawing.limit_y(limits)?;
     }
     Ok(drawing)
-}
-
-/// Draws a figure of contacts along a motion.
-///
-/// # Errors
-/// The request names curves or limits that it does not have.
-pub(crate) fn draw_motion(request: &PlotRequest, result: &MotionResult) -> Result<Drawing, Failure> {
-    let drawing = Drawing::Panels(motion(result, request.looks.title.as_deref()));
-    with_looks(drawing, &request.looks).map_err(|error| failure_of_plot(error, &[]))
 }
 
 pub fn paper_of(looks: &FigureOptions) -> Paper {

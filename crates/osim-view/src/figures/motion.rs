@@ -10,7 +10,7 @@ use osim_planning::MotionResult;
 
 /// A figure of forces and depths over time and over strides, and two panels of the sole, for each foot; in three columns if all panels
 /// exist.
-pub(super) fn motion(result: &MotionResult, title: Option<&str>) -> Figure {
+pub(crate) fn motion(result: &MotionResult, title: Option<&str>) -> Figure {
     let feet = &result.summary.feet;
     let default_title = || {
         format!("{} along {}", name_without_ending(result.opened.name()), name_without_ending(&result.motion))

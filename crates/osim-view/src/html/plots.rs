@@ -6,9 +6,9 @@ use osim_inspect::series::{ContactBody, ForceUnit, IndentationUnit, PlotUnits};
 use osim_model::files::Failure;
 use osim_model::messages::Dialect;
 use osim_planning::{ModelFeet, MotionRemark, MotionResult};
-use osim_requests::{DropHeight, PlotRequest};
+use osim_requests::DropHeight;
 
-use crate::figures::{self, draw_motion};
+use crate::figures;
 use crate::html::explained::as_sentence;
 use crate::html::fragment::{Fragment, Section, table};
 use crate::html::special_models::DrawnStates;
@@ -153,9 +153,8 @@ fn feet_table(result: &MotionResult) -> Markup {
 }
 
 fn recording_figure(result: &MotionResult, dialect: &dyn Dialect) -> Markup {
-    let drawn = draw_motion(&PlotRequest::default(), result)
-        .and_then(|drawing| figures::svg(&drawing, Paper::default(), &[]));
-    match drawn {
+    let drawing = Drawing::Panels(figures::motion(result, None));
+    match figures::svg(&drawing, Paper::default(), &[]) {
         Ok(svg) => html! {
             div.plots { figure {
                 div.plot { (PreEscaped(svg)) }
