@@ -41,7 +41,7 @@ fn both_feet_on_ground_cause_a_warning() {
     let Some(report) = report_after("both_feet_on_ground_cause_a_warning", edit) else { return };
     let found = finding_with_code(&report, "odd-parent");
     assert_eq!(found["severity"], "warning");
-    assert_eq!(found["message"], "talus_l and talus_r hang on ground, apart from the rest of their limbs");
+    assert_eq!(found["message"], "talus_r and talus_l hang on ground, apart from the rest of their limbs");
 }
 
 #[test]

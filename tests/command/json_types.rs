@@ -76,6 +76,7 @@ pub(crate) struct Finding {
     pub(crate) details: Vec<String>,
     pub(crate) command: Option<String>,
     pub(crate) had_before: bool,
+    pub(crate) as_published: bool,
 }
 
 #[derive(Debug, Deserialize)]

@@ -168,8 +168,7 @@ fn failure_of_model(open: &OpenModel, finding: &FindingWithRemedy) -> Option<Fai
         | FindingCode::SocketNowhere
         | FindingCode::BodyWithoutJoint
         | FindingCode::MisplacedObject
-        | FindingCode::UnknownName
-        | FindingCode::RefusedName => "refused",
+        | FindingCode::UnknownName => "refused",
         _ => return None,
     };
     Some(Failure {

@@ -33,7 +33,12 @@ impl Dialect for CommandLine {
             _ => option_name(input.name()),
         };
         match example {
-            Some(Example::Value(value)) => format!("{name} {}", shell_quoted(value)),
+            Some(Example::Value(value)) => {
+                // Within a sentence, lists and patterns read better without quotation marks.
+                let rest = value.replace([',', '*'], "");
+                let is_plain = shell_quoted(&rest) == rest;
+                format!("{name} {}", if is_plain { value.clone() } else { shell_quoted(value) })
+            }
             Some(placeholder) => format!("{name} {placeholder}"),
             None => name,
         }
