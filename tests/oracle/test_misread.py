@@ -27,7 +27,7 @@ MODELS = (
 )
 ALL = os.environ.get("ORACLE_ELEMENTS") == "all"
 # No pose, mass or contact force depends on numbers in these elements.
-WITHOUT_EFFECT = re.compile("Muscle|Path|Wrap|Marker|Probe|Controller|Actuator|LimitForce|Bushing|Spring|Appearance|Visible|credits|publications")
+WITHOUT_EFFECT = re.compile("Muscle|Path|Wrap|Marker|Probe|Controller|Actuator|LimitForce|Spring|Appearance|credits|publications")
 NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?")
 
 

@@ -87,6 +87,12 @@ const CURVE_TEXTS: &[WrittenProperties] = &[
 /// How OpenSim reads the properties of a step.
 const STEP_TEXTS: &[WrittenProperties] =
     &[(&["transition_start_time", "transition_end_time", "start_value", "end_value"], Numbers(1), None)];
+/// How OpenSim reads the places of a bushing in documents before version 4.
+const OLD_BUSHING_TEXTS: &[WrittenProperties] = &[(
+    &["location_body_1", "location_body_2", "orientation_body_1", "orientation_body_2"],
+    OldNumbers(Some(3)),
+    None,
+)];
 /// How OpenSim reads the properties of a constraint that the default pose depends on.
 const CONSTRAINT_TEXTS: &[WrittenProperties] = &[
     (&["isEnforced"], Flag, Some("true")),
@@ -114,7 +120,13 @@ fn written_properties(class: &str) -> &'static [WrittenProperties] {
                 None,
             ),
         ],
-        "Mesh" | "VisibleObject" | "DisplayGeometry" => &[(&["scale_factors"], Numbers(3), Some("1 1 1"))],
+        "Mesh" => &[(&["scale_factors"], Numbers(3), Some("1 1 1"))],
+        "VisibleObject" | "DisplayGeometry" => &[
+            (&["scale_factors"], Numbers(3), Some("1 1 1")),
+            (&["transform"], OldNumbers(Some(6)), None),
+            (&["color"], OldNumbers(Some(3)), None),
+            (&["display_preference"], OldCount, None),
+        ],
         "Coordinate" => &[
             (&["default_value", "default_speed_value"], Numbers(1), Some("0")),
             (&["range"], Numbers(2), Some("-10 10")),
@@ -156,6 +168,7 @@ fn written_properties(class: &str) -> &'static [WrittenProperties] {
                 ZERO_VECTOR,
             ),
         ],
+        "BushingForce" => OLD_BUSHING_TEXTS,
         _ if class.ends_with("Frame") => FRAME_TEXTS,
         _ if class.ends_with("Joint") => JOINT_TEXTS,
         _ if class.ends_with("Constraint") => CONSTRAINT_TEXTS,
@@ -245,7 +258,8 @@ pub(super) fn find_misread_texts(model: &Model) -> Vec<Finding> {
 
 /// Whether poses, masses or contact forces depend on components of the class `tag`.
 fn is_read(tag: &str) -> bool {
-    let others = ["Model", "Ground", "Body", "ContactSphere", "ContactEllipsoid", "ContactHalfSpace"];
+    let others =
+        ["Model", "Ground", "Body", "BushingForce", "ContactSphere", "ContactEllipsoid", "ContactHalfSpace"];
     others.contains(&tag)
         || FORCE_CLASSES.contains(&tag)
         || ["Frame", "Joint", "Constraint"].iter().any(|ending| tag.ends_with(ending))
