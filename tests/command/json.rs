@@ -259,6 +259,7 @@ fn rescale_lists_every_change() {
     assert!(plan.objects.is_empty());
     // Of the result: the first two are new.
     let findings: Vec<_> = plan.findings.iter().map(|one| (one.code.as_str(), one.had_before)).collect();
+    assert_eq!(plan.findings.iter().filter(|one| one.as_published).count(), 3);
     let expected = [
         ("mass-sources-disagree", false),
         ("not-on-floor", false),

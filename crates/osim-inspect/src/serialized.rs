@@ -62,14 +62,13 @@ json_records! {
         /// Of the result of a change: the model before it, or the reference, has this finding, too.
         pub had_before: bool = finding.had_before,
         /// The known contacts were published with the finding.
-        pub as_published: bool = false,
+        pub as_published: bool = finding.is_as_published(),
     }
 }
 
 impl From<&FindingWithRemedy> for FindingRecord {
     fn from(found: &FindingWithRemedy) -> Self {
-        let (command, as_published) = (found.command.clone(), found.is_as_published());
-        Self { command, as_published, ..Self::from(&found.finding) }
+        Self { command: found.command.clone(), ..Self::from(&found.finding) }
     }
 }
 

@@ -14,8 +14,6 @@ pub struct FindingWithRemedy {
     /// The request that corrects the finding; `None` for a remark, and if only the user can know what to write. It is one of the
     /// [`steps`](crate::CheckResult::steps) of the result, if the result has steps.
     pub remedy: Option<Request>,
-    /// Whether the known contacts of the model were published with this finding.
-    pub is_published: bool,
     /// The remedy as the command that the user types; `None` before [`spell`](Self::spell).
     pub command: Option<String>,
 }
@@ -23,18 +21,13 @@ pub struct FindingWithRemedy {
 impl FindingWithRemedy {
     /// A finding with the request that corrects it, if there is one.
     pub fn new(finding: Finding, remedy: Option<Request>) -> Self {
-        Self { finding, remedy, is_published: false, command: None }
+        Self { finding, remedy, command: None }
     }
 
     /// The finding with the severity from the table of known contacts, and without a remedy, because the contacts were published like this.
     pub(crate) fn with_published_severity(self, severity: Severity) -> Self {
-        Self { finding: self.finding.with_severity(severity), remedy: None, is_published: true, ..self }
-    }
-
-    /// Whether the known contacts were published with the finding. This does not make the contacts right for a body of another mass.
-    pub fn is_as_published(&self) -> bool {
-        self.code() == FindingCode::KnownContacts
-            || self.is_published && self.code() != FindingCode::ContactsOfAnotherMass
+        let finding = Finding { is_published: true, ..self.finding.with_severity(severity) };
+        Self { finding, remedy: None, ..self }
     }
 
     /// Writes the texts and the remedy of the finding in the words of a front end.

@@ -113,7 +113,7 @@ impl<'c> VerdictRows<'c> {
             let on = verdict.on.as_str();
             let about = || found.findings.iter().filter(|finding| finding.rule.verdict == Some(verdict.on));
             let text = verdict.text.to_string();
-            if about().next().is_some() && about().all(FindingWithRemedy::is_as_published) {
+            if about().next().is_some() && about().all(|finding| finding.is_as_published()) {
                 rows.published.push(on);
                 let text = format!("as published: {text}");
                 rows.good.push(VerdictRow { sign: Sign::Good, on, text });

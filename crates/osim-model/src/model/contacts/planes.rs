@@ -16,6 +16,7 @@ use crate::model::contacts::{Sphere, SphereId};
 use crate::model::fault::Fault;
 use crate::model::placement::{LevelAxis, Placement, Rotation};
 use crate::model::typed_model::Model;
+use crate::xml::opensim_text::trimmed;
 
 /// The orientation, rad, of a half-space inside a force without such an element: a level floor. The first version of the class, with
 /// another name for `constant_contact_force`, has zeros instead.
@@ -203,7 +204,8 @@ impl Components {
         let tree = self.document_of(frame).tree();
         let Some(element) = tree.child(self.element(frame), tag) else { return Some(default) };
         let text = tree.text_of(element);
-        let (sign, letter) = text.trim().strip_prefix('-').map_or((1.0, text.trim()), |rest| (-1.0, rest));
+        let text = trimmed(&text);
+        let (sign, letter) = text.strip_prefix('-').map_or((1.0, text), |rest| (-1.0, rest));
         let mut axes = ["x", "y", "z"].into_iter().zip(DVec3::AXES);
         Some(sign * axes.find(|(name, _)| *name == letter.trim_start_matches('+'))?.1)
     }

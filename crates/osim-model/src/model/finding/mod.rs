@@ -45,6 +45,8 @@ pub struct Finding {
     pub position: Option<TextPosition>,
     /// For the result of a change: whether the model before the change, or the reference, already has this finding.
     pub had_before: bool,
+    /// Whether the known contacts of the model were published with this finding.
+    pub is_published: bool,
     /// A sentence for each component in question, if there is more to say than its name.
     pub details: Vec<String>,
     /// The size of the problem, for comparing the finding with the same finding in other models.
@@ -74,6 +76,7 @@ impl Finding {
             spheres: Vec::new(),
             position: None,
             had_before: false,
+            is_published: false,
             details: Vec::new(),
             measure: None,
         }
@@ -123,6 +126,12 @@ impl Finding {
 
     pub fn with_severity(self, severity: Severity) -> Self {
         Self { severity, ..self }
+    }
+
+    /// Whether the known contacts were published like this. It does not make them right for a body of another mass.
+    pub fn is_as_published(&self) -> bool {
+        self.code() == FindingCode::KnownContacts
+            || self.is_published && self.code() != FindingCode::ContactsOfAnotherMass
     }
 
     /// The component paths of all elements in question.
