@@ -3,11 +3,12 @@
     python3 dev/release/registries.py address URL [--root FOLDER]    once, before the first release
     python3 dev/release/registries.py recipes FOLDER                 from the files of a release in FOLDER, into FOLDER/registries
 
-Recipes take name, version, description, licence and address from Cargo.toml and pyproject.toml, and checksums from FOLDER: SHA256SUMS, or
-files NAME.sha256. Needs Python 3.11.
+Recipes take name, version, description, authors, licence and address from Cargo.toml and pyproject.toml, and checksums from FOLDER:
+SHA256SUMS, or files NAME.sha256. Needs Python 3.11.
 """
 
 import argparse
+import json
 import re
 import sys
 import tomllib
@@ -37,8 +38,11 @@ def set_address(root, address):
     urls = f'[project.urls]\nRepository = "{address}"\nIssues = "{address}/issues"\n\n'
     replace(root / "pyproject.toml", r"(\[project\.urls\]\n(?:.+\n)+\n)?^\[tool\.maturin\]\n", rf"{urls}[tool.maturin]\n")
     replace(root / "CITATION.cff", r"^(repository-code: .*\n)?license:\n", f"repository-code: {address}\nlicense:\n")
-    for name in ("README.md", "docs/install.md", "docs/page.md", "docs/tutorial.md"):
+    for name in ("README.md", "docs/install.md", "docs/page.md", "docs/tutorial.md", "python/README.md"):
         replace(root / name, r"\*Releases\*|\[Releases\]\([^)]*\)", f"[Releases]({address}/releases)")
+    owner, name = address.split("/")[-2:]
+    replace(root / "README.md", r"https://[\w-]+\.github\.io/[^/]+/", f"https://{owner}.github.io/{name}/")
+    replace(root / "README.md", r"(winget|brew) install [\w-]+", rf"\1 install {owner}")
 
 
 def checksums(folder):
@@ -79,7 +83,7 @@ about:
   homepage: {home}
   summary: {project['description']}
   license: {project['license']}
-  license_file: [LICENSE-MIT, LICENSE-APACHE]
+  license_file: [{', '.join(project['license-files'])}]
 """
     places = [(*place, f"{name}-{version}-{target}.tar.gz") for target, place in HOMEBREW.items()]
     blocks = "".join(f"""
@@ -92,12 +96,15 @@ about:
 """ for system, processor, file in places if file in sums)
     if blocks:
         class_name = "".join(word.capitalize() for word in name.split("-"))
+        # "(A OR B) AND C" as Homebrew writes it.
+        choices = [part.strip("()").split(" OR ") for part in project["license"].split(" AND ")]
+        licences = ", ".join(f'"{one[0]}"' if len(one) == 1 else f"{{ any_of: {json.dumps(one)} }}" for one in choices)
         files[f"homebrew/{name}.rb"] = f"""\
 class {class_name} < Formula
   desc "{project['description']}"
   homepage "{home}"
   version "{version}"
-  license all_of: ["OFL-1.1", {{ any_of: ["MIT", "Apache-2.0"] }}]
+  license all_of: [{licences}]
 {blocks}
   def install
     bin.install "{name}"
@@ -121,7 +128,7 @@ end
         files[f"winget/{package}.yaml"] = f"{head}DefaultLocale: en-US\nManifestType: version\n{tail}"
         files[f"winget/{package}.locale.en-US.yaml"] = f"""\
 {head}PackageLocale: en-US
-Publisher: The {name} developers
+Publisher: {project['authors'][0]['name']}
 PackageName: {name}
 PackageUrl: {home}
 License: {project['license']}

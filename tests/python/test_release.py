@@ -1,4 +1,4 @@
-"""Recipes for registries, made of a release that is not there."""
+"""What registries look at: metadata of the wheel, and recipes, made of a release that is not there."""
 
 import subprocess
 import sys
@@ -38,3 +38,16 @@ def test_every_recipe_has_the_files_of_the_release(tmp_path):
         assert f"https://example.org/OWNER/x/releases/download/v{version('osim-contact-scale')}/{name}" in said
         assert digest in said.lower()
     assert 'any_of: ["MIT", "Apache-2.0"]' in said and "{{" not in said.replace("${{", "")
+
+
+def test_the_metadata_are_what_pypi_takes():
+    """PyPI reads metadata with the same library."""
+    from importlib.metadata import distribution
+
+    from packaging.metadata import Metadata
+
+    text = distribution("osim-contact-scale").read_text("METADATA")
+    assert text is not None
+    read = Metadata.from_email(text, validate=True)
+    assert str(read.license_expression) == "(MIT OR Apache-2.0) AND OFL-1.1" and len(read.license_files) == 3
+    assert read.description_content_type == "text/markdown" and f"{read.requires_python}" == ">=3.10"
