@@ -21,11 +21,14 @@ COMMAND = "osim-contact-scale"
 # What the GUI gives to a script, by github.com/opensim-org/opensim-gui, commit 5a67a115a74be1bc1e5c2f9e70bfd36a9b6b877a, in
 # Gui/opensim/scriptingShell/src/org/opensim/console/: JConsole.java, lines 126 to 129, imports javax.swing as swing, java.lang as lang and
 # all functions of gui.java; line 167 runs a file by execfile, so that it has no __file__. In gui.java, line 78 is getCurrentModel(), which
-# may be null, line 176 is loadModel(path), and line 352 getScriptsPath(), an absolute path.
+# may be null, line 176 is loadModel(path), and line 352 getScriptsPath(), an absolute path. What models have is in
+# github.com/opensim-org/opensim-core, commit 0435b081dc383498e217f92ca63bb97616145c14: print(path) in OpenSim/Common/Object.h, line 616,
+# getInputFileName() in OpenSim/Simulation/Model/Model.h, line 626. Dialogs are Swing's own until they would be shown.
 STAND_INS = r'''
 import json
 import java.lang as lang
 from java.io import File, FileOutputStream
+from javax.swing import JFileChooser, JScrollPane, JTextArea
 
 class Model:
     def __init__(self, case):
@@ -39,20 +42,12 @@ def print_model(self, path):
     stream.close()
 setattr(Model, "print", print_model)
 
-class Dialog:
-    def __getattr__(self, name):
-        return lambda *arguments: None
-
-class FileChooser(Dialog):
-    APPROVE_OPTION = 0
-    def setDialogTitle(self, title):
-        seen["asked"].append(title)
-    def showOpenDialog(self, parent):
-        self.answer = case["answers"].pop(0)
-        return 0 if self.answer else 1
-    showSaveDialog = showOpenDialog
-    def getSelectedFile(self):
-        return File(self.answer)
+class FileChooser(JFileChooser):
+    def showDialog(self, parent, button):
+        seen["asked"].append(self.getDialogTitle())
+        answer = case["answers"].pop(0)
+        self.setSelectedFile(answer and File(answer))
+        return self.APPROVE_OPTION if answer else self.CANCEL_OPTION
 
 class OptionPane:
     @staticmethod
@@ -61,15 +56,10 @@ class OptionPane:
         return case["answers"].pop(0)
     @staticmethod
     def showMessageDialog(parent, pane):
-        pass
-
-def text_area(text, rows, columns):
-    seen["shown"].append(text)
-    return Dialog()
+        seen["shown"].append(pane.getViewport().getView().getText())
 
 class swing:
-    JFileChooser, JOptionPane = FileChooser, OptionPane
-    JTextArea, JScrollPane = staticmethod(text_area), staticmethod(lambda area: area)
+    JFileChooser, JOptionPane, JScrollPane, JTextArea = FileChooser, OptionPane, JScrollPane, JTextArea
 
 def getCurrentModel():
     return Model(case) if case["live"] else None
@@ -142,7 +132,7 @@ def main():
         assert fixed.read_bytes() != live.read_bytes() and b"contacts made for 52 kg" in fixed.read_bytes()
         written = sorted(path.name for path in models.iterdir())
         assert written == sorted(path.name for path in (live, generic, fixed, rescaled, found, remembered)), written
-    texts = [path.read_text(encoding="ascii").split('"""', 2)[2].split("def main")[0] for path in sorted(SCRIPTS.iterdir())]
+    texts = [path.read_text(encoding="ascii").split('"""', 2)[2].split("\nmodel = ")[0] for path in sorted(SCRIPTS.iterdir())]
     assert len(texts) == 2 and texts[0] == texts[1], "what the two scripts share differs"
     print("the scripts for OpenSim's GUI: as expected")
 

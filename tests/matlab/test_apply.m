@@ -1,6 +1,8 @@
 function tests = test_apply()
 %TEST_APPLY osimcontact.apply with a stand-in for OpenSim's bindings: the calls of it that apply makes, and nothing else.
-%   tests/oracle/test_live_model.py makes the same calls of OpenSim itself, in Python.
+%   tests/oracle/test_live_model.py makes the same calls of OpenSim itself, in Python. They are, in github.com/opensim-org/opensim-core,
+%   commit 0435b081dc383498e217f92ca63bb97616145c14: Bindings/PropertyHelper.h, lines 72 to 75 and 103 to 113; in OpenSim/Common,
+%   Component.h, line 896, Object.h, line 337, and AbstractProperty.h, line 217; OpenSim/Simulation/Model/Model.h, line 640.
     tests = {@every_change_is_made, @places_have_three_numbers, @nothing_is_changed_where_the_model_is_another_one, ...
         @a_component_that_is_not_there, @a_note_that_goes, @what_cannot_be_applied};
 end

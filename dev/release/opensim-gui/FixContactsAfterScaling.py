@@ -2,21 +2,16 @@
 
 The program osim-contact-scale does the work, and docs/work.md explains it. Jython 2 runs this file; swing and lang are its modules.
 """
-import os
-
 from java.awt import Font
 from java.io import File
 from java.util import Scanner
 from java.util.prefs import Preferences
 
 
-def choose_file(title, suggestion, is_new=False):
+def choose_file(title, suggestion):
     """The path that the user chooses, or None."""
-    chooser = swing.JFileChooser()
-    chooser.setDialogTitle(title)
-    chooser.setSelectedFile(File(suggestion))
-    answer = chooser.showSaveDialog(None) if is_new else chooser.showOpenDialog(None)
-    return chooser.getSelectedFile().getPath() if answer == swing.JFileChooser.APPROVE_OPTION else None
+    chooser = swing.JFileChooser(dialogTitle=title, selectedFile=File(suggestion))
+    return chooser.getSelectedFile().getPath() if chooser.showDialog(None, "OK") == chooser.APPROVE_OPTION else None
 
 
 def find_program():
@@ -24,12 +19,11 @@ def find_program():
     name = "osim-contact-scale" + (".exe" if File.separator == "\\" else "")
     settings = Preferences.userRoot().node("osim-contact-scale")
     folders = [getScriptsPath()] + (lang.System.getenv("PATH") or "").split(File.pathSeparator)
-    for path in [os.path.join(folder, name) for folder in folders] + [settings.get("program", "")]:
-        if File(path).isFile():
-            return path
+    for file in [File(folder, name) for folder in folders] + [File(settings.get("program", ""))]:
+        if file.isFile():
+            return file.getPath()
     path = choose_file("Where is " + name + "?", name)
-    if path:
-        settings.put("program", path)
+    settings.put("program", path or "")
     return path
 
 
@@ -37,45 +31,36 @@ def run_program(*arguments):
     """The exit status of the program, and what it prints."""
     process = lang.ProcessBuilder(arguments).redirectErrorStream(True).start()
     process.getOutputStream().close()
-    printed = Scanner(process.getInputStream(), "UTF-8").useDelimiter("\\A")
-    text = printed.next() if printed.hasNext() else ""
+    text = "".join(Scanner(process.getInputStream(), "UTF-8").useDelimiter("\\A"))
     return process.waitFor(), text
 
 
 def show_text(text):
-    area = swing.JTextArea(text, 30, 90)
-    area.setFont(Font("Monospaced", Font.PLAIN, 12))
+    area = swing.JTextArea(text, 30, 90, font=Font("Monospaced", Font.PLAIN, 12))
     swing.JOptionPane.showMessageDialog(None, swing.JScrollPane(area))
 
 
 def change_contacts(model, words, check):
     """Runs the program on the model as it is now: after the Scale Tool, its file may be old, or missing."""
-    program = find_program()
-    suggestion = model.getInputFileName().replace(".osim", "") + "_contacts.osim"
-    output = program and choose_file("Save the new model as", suggestion, True)
-    if not output:
-        return
-    current = File.createTempFile("current-", ".osim", File(output).getParentFile())
-    try:
-        # A method called print is a fault of syntax elsewhere than in Jython.
-        getattr(model, "print")(current.getPath())
-        status, text = run_program(program, words[0], current.getPath(), *(words[1:] + ["--output", output]))
-    finally:
-        current.delete()
-    if status == 0:
-        loadModel(output)
-        text += "\n" + run_program(program, "check", output, *check)[1]
-    show_text(text)
+    program, suggestion = find_program(), model.getInputFileName().replace(".osim", "") + "_contacts.osim"
+    output = program and choose_file("Save the new model as", suggestion)
+    if output:
+        current = File.createTempFile("current-", ".osim", File(output).getParentFile())
+        try:
+            model.print(current.getPath())
+            status, text = run_program(program, words[0], current.getPath(), *(words[1:] + ["--output", output]))
+        finally:
+            current.delete()
+        if status == 0:
+            loadModel(output)
+            text += "\n" + run_program(program, "check", output, *check)[1]
+        show_text(text)
 
 
-def main():
-    model = getCurrentModel()
-    if not model:
-        return show_text("Open a model first.")
-    generic = choose_file("Which model was scaled? (the generic one)", model.getInputFileName())
-    if generic:
-        words = ["transfer", "--from", generic, "--follow-bodies", "--level", "--moved-spheres", "replace"]
-        change_contacts(model, words, ["--from", generic])
-
-
-main()
+model = getCurrentModel()
+generic = model and choose_file("Which model was scaled? (the generic one)", model.getInputFileName())
+if generic:
+    options = ["--from", generic, "--follow-bodies", "--level", "--moved-spheres", "replace"]
+    change_contacts(model, ["transfer"] + options, ["--from", generic])
+elif not model:
+    show_text("Open a model first.")
