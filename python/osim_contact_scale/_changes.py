@@ -66,7 +66,8 @@ def batch(models: Any, keep: Any, keywords: Mapping[str, Any], progress: Progres
     ContactScaleError
         Rows are wrong, or a result exists already. Nothing was written.
     """
-    source = to_rows(models) if is_file_object(models) else _paths_or_table(models)
+    is_refused = is_file_object(models) or hasattr(models, "to_dataframe")
+    source = to_rows(models) if is_refused else _paths_or_table(models)
     if not _is_table(source):
         message = "expected a table with a row for each model: a DataFrame, a dictionary of columns, a list of dictionaries, or a .csv file"
         alternative = (

@@ -49,6 +49,16 @@ def test_open_files_are_taken_or_refused_by_name():
             ocs.rescale_many(file)
 
 
+def test_arrays_of_xarray_are_no_tables_and_say_how_to_make_one():
+    class DataArray(list):
+        def to_dataframe(self):
+            raise AssertionError("a value of several dimensions is no table of its own")
+
+    for call in (ocs.rescale_many, lambda table: ocs.fit(table, radius=0.03), lambda table: ocs.motion(HUMAN, table)):
+        with pytest.raises(TypeError, match="not DataArray: to_dataframe"):
+            call(DataArray())
+
+
 def test_a_warning_has_a_category_and_the_line_of_the_call():
     with pytest.warns(ocs.ContactScaleWarning) as caught:
         ocs.set(HUMAN, constant_contact_force=1e-4)
