@@ -18,6 +18,7 @@ pub(crate) struct Report {
     pub(crate) findings: Vec<Finding>,
     pub(crate) commands: Vec<String>,
     similarity: Option<Value>,
+    consistency: Option<Value>,
 }
 
 /// The report of `check` about one model, with any exit status.
@@ -30,6 +31,7 @@ pub(crate) fn check_report(dir: &TestDir, arguments: &str) -> Report {
     let recorded = if arguments.contains("--motion") { &["motion"][..] } else { &[] };
     assert_eq!(on, [&["floor", "standing", "mass", "sides", "sizes", "solver"], recorded].concat());
     assert_eq!(report.similarity.is_some(), arguments.contains("--from"), "{arguments}");
+    assert!(report.consistency.is_none() || arguments.contains("--motion"), "{arguments}");
     report
 }
 
