@@ -62,6 +62,7 @@ impl SmoothContact {
 <constant_contact_force>{3}</constant_contact_force>
 <hertz_smoothing>{4}</hertz_smoothing>
 <hunt_crossley_smoothing>{5}</hunt_crossley_smoothing>
+<static_friction>0.8</static_friction>
 </SmoothSphereHalfSpaceForce>\n",
             self.name,
             self.stiffness,

@@ -102,8 +102,11 @@ pub fn prosthesis(m: &Published) -> Edited {
     let tree = hung.model.document().tree();
     without(&hung, |id| {
         let name = tree.attribute(id, "name").unwrap_or_default();
+        // OpenSim refuses a force on a coordinate that is gone.
+        let acts_on = tree.child(id, "coordinate").map(|element| tree.text_of(element)).unwrap_or_default();
         tree.name(id) == "Body" && name == talus_name.as_str()
             || tree.name(id).ends_with("Joint") && name == talus.name.as_str()
+            || talus.coordinates.iter().any(|one| one.name == acts_on)
     })
 }
 
