@@ -52,7 +52,7 @@ pub struct MadeVariant {
 }
 
 impl MadeVariant {
-    /// The variant's row of the table, in the order of [`header`].
+    /// The variant's row of the table, in the order of `header`.
     pub fn row(self, sha256: String) -> Vec<String> {
         let Self { number, file, asked, variant, worse, .. } = self;
         let cell = |value: Option<f64>| value.map(shortest).unwrap_or_default();
