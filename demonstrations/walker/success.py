@@ -22,7 +22,17 @@ WAYS = {"at once": 1, "3 rungs": 3}  # models that are searched one after the ot
 CHECKS = ("solved_twice", "effort_change", "held", "cpu_s")
 COLUMNS = {
     "success": ("point", "seed", "solved", "iterations", "effort", *CHECKS),
-    "ladder": ("way", "seed", "solved", "rungs_solved", "iterations", "search_cpu_s", "effort", "active_bounds", *CHECKS),
+    "ladder": (
+        "way",
+        "seed",
+        "solved",
+        "rungs_solved",
+        "iterations",
+        "search_cpu_s",
+        "effort",
+        "active_bounds",
+        *CHECKS,
+    ),
 }
 
 
