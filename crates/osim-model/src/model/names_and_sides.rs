@@ -148,8 +148,11 @@ pub fn nearest_names<'n>(
     let wrong_letters = |name: &'n str| {
         let other = flat(name);
         let half = written.len().min(other.len()).saturating_sub(1) / 2;
-        Some((strsim::osa_distance(&written, &other), name))
-            .filter(|(wrong, _)| *wrong <= most_wrong.min(half))
+        let most = most_wrong.min(half);
+        // A name with more or fewer letters than that cannot be near; the distance takes much longer.
+        let is_as_long = written.chars().count().abs_diff(other.chars().count()) <= most;
+        let wrong = is_as_long.then(|| strsim::osa_distance(&written, &other))?;
+        (wrong <= most).then_some((wrong, name))
     };
     let near: Vec<(usize, &str)> = known.into_iter().filter_map(wrong_letters).collect();
     let fewest = near.iter().map(|(wrong, _)| *wrong).min();
