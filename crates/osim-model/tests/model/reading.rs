@@ -442,3 +442,28 @@ fn masses_are_equal_whichever_comes_first() {
         assert_eq!(are_equal_masses(other_kg, 100.0), are_equal);
     }
 }
+
+#[test]
+fn frames_at_stations_that_are_on_themselves_or_each_other_are_refused() {
+    let text = String::from_utf8(fixture("format/v40000.osim")).unwrap();
+    let frame = |name: &str, on: &str| {
+        let stations = [("a", "0 0 0"), ("b", "1 0 0"), ("c", "0 1 0")].map(|(point, at)| {
+            let parent = format!("<socket_parent_frame>{on}</socket_parent_frame>");
+            format!("<Station name=\"{name}{point}\">{parent}<location>{at}</location></Station>")
+        });
+        let sockets = [("point_a", "a"), ("point_b", "b"), ("point_c", "c"), ("origin_point", "a")]
+            .map(|(socket, point)| format!("<socket_{socket}>/{name}{point}</socket_{socket}>"));
+        let (stations, sockets) = (stations.concat(), sockets.concat());
+        format!("{stations}<StationDefinedFrame name=\"{name}\">{sockets}</StationDefinedFrame>")
+    };
+    let model = |one: &str, other: &str| {
+        let frames = frame("one", one) + &frame("other", other);
+        let text = text.replacen("<gravity>", &format!("<components>{frames}</components><gravity>"), 1);
+        Model::parse(text.replacen("<socket_frame>/bodyset/calcn_r<", "<socket_frame>/one<", 1))
+    };
+    assert!(model("/bodyset/calcn_r", "/bodyset/calcn_l").is_ok());
+    for (one, other) in [("/one", "/bodyset/calcn_l"), ("/other", "/one"), ("/other", "/bodyset/calcn_l")] {
+        let fault = model(one, other).unwrap_err().to_string();
+        assert!(fault.contains("the points of /one are not found"), "{one}, {other}: {fault}");
+    }
+}

@@ -181,11 +181,12 @@ impl Components {
             let id = self.tree.at_path(frame, &text);
             let id = id.filter(|&id| ["Station", "Marker"].contains(&self.tag(id)))?;
             let on = self.frame_at(id, "parent_frame", &[])?.component;
-            let chain = self.offset_frames(on);
-            let is_plain = chain.iter().all(|&above| self.tag(above) != STATION_DEFINED_FRAME);
-            let base = chain.last().map_or(Some(on), |&last| Some(self.on_parent(last)?.1));
+            // Frames at stations can be on each other in a circle.
+            if self.offset_frames(on).iter().any(|&above| self.tag(above) == STATION_DEFINED_FRAME) {
+                return None;
+            }
             let place = self.document_of(id).triple(self.element(id), "location")?;
-            Some((base.filter(|_| is_plain)?, self.point_in_body(on, place)?))
+            Some((placement_on_base(self, on)?.0, self.point_in_body(on, place)?))
         };
         let ((base, a), (of_b, b)) = (station("point_a")?, station("point_b")?);
         let ((of_c, c), (of_origin, translation_m)) = (station("point_c")?, station("origin_point")?);
