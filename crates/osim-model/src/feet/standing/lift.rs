@@ -14,6 +14,9 @@ const SAME_MOVEMENT: f64 = 1e-9;
 /// degrees.
 const LEAST_RISE: f64 = 0.5;
 
+/// A line is level if it rises by at most this part of its length.
+const MOST_RISE_OF_LEVEL_LINE: f64 = 0.01;
+
 /// The free coordinate that moves all spheres of a joint tree equally along the normal of their floor.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LiftingCoordinate {
@@ -263,9 +266,10 @@ pub fn held_roots<'b>(model: &Model, bodies: impl Iterator<Item = &'b str>) -> V
     let constraints = model.constraints_to_ground().into_iter();
     let holds = |id: ComponentId| {
         let (document, element) = (components.document_of(id), components.element(id));
-        // A point on a line that is not level can fall along it.
+        // A point on a line that is not level can fall along it. Bodies stand upright, so that a line of theirs is as if in ground.
         let line = document.triple(element, "line_direction_vec").unwrap_or_default();
-        is_enforced(document, element) && DVec3::from(line).normalize_or_zero().dot(model.up()).abs() < 0.01
+        let rise = DVec3::from(line).normalize_or_zero().dot(model.up()).abs();
+        is_enforced(document, element) && rise <= MOST_RISE_OF_LEVEL_LINE
     };
     let holding = constraints.filter(|(id, _)| holds(*id));
     let constraints: Vec<_> = holding.map(|(id, body)| (body, components.name(id))).collect();
