@@ -117,6 +117,35 @@ def test_misspelt_frames_and_coordinates_of_a_joint(tmp_path):
         assert codes(paths[name])["unknown-name"] == "error"
 
 
+COUPLER = (
+    "<CoordinateCouplerConstraint name={0}><coupled_coordinates_function><LinearFunction><coefficients>1 0</coefficients></LinearFunction>"
+    "</coupled_coordinates_function><independent_coordinate_names>{1}</independent_coordinate_names>"
+    "<dependent_coordinate_name>{2}</dependent_coordinate_name></CoordinateCouplerConstraint>"
+)
+ON_COORDINATE = ["CoordinateActuator", "CoordinateLimitForce", "SpringGeneralizedForce", "ExpressionBasedCoordinateForce"]
+
+
+@pytest.mark.parametrize("kind", [*ON_COORDINATE, "coupler"])
+def test_opensim_refuses_the_name_of_no_coordinate(kind, tmp_path):
+    wrong = ["nothing", "Unassigned", ""]
+    paths = []
+    for name in ["pelvis_tx", *wrong]:
+        if kind == "coupler":
+            model = with_constraint(COUPLER.format('"x"', name, "pelvis_tz"))(LOCKED)
+        else:
+            force = f'<{kind} name="x"><coordinate>{name}</coordinate></{kind}>'
+            model = re.sub("(<ForceSet .*?<objects>)", rf"\g<1>{force}", LOCKED, count=1, flags=re.DOTALL)
+        paths.append(tmp_path / f"{len(paths)}.osim")
+        paths[-1].write_text(model)
+    right, *refused = ask("opensim_held", [[str(path), "pelvis"] for path in paths])
+    assert "error" not in right and "socket-nowhere" not in codes(paths[0])
+    for name, path, answer in zip(wrong, paths[1:], refused, strict=True):
+        # A coupler may follow no coordinate.
+        loads = kind == "coupler" and not name
+        assert ("error" in answer) != loads, name
+        assert codes(path).get("socket-nowhere") == (None if loads else "error")
+
+
 def test_a_sphere_on_ground_stays_there():
     """OpenSim computes its force, but the foot has no part of it."""
     path = FIXTURES / "check/foot_sphere_on_ground.osim"

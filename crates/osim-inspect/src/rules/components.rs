@@ -121,9 +121,11 @@ pub(super) fn find_lost_coordinates(model: &Model) -> Vec<Finding> {
             .filter(|&child| TAGS.contains(&document.tree().name(child)));
         let known = &known;
         named.filter_map(move |child| {
-            let text = document.tree().text_of(child).into_owned();
-            let name = list_words(&text).find(|name| !known.contains(*name) && *name != "Unassigned")?;
+            let text = document.tree().text_of(child);
             let (path, tag) = (components.tree.path(id), document.tree().name(child));
+            // A coupler may follow no coordinate; the other elements need a name.
+            let is_empty = tag != "independent_coordinate_names" && list_words(&text).next().is_none();
+            let name = list_words(&text).chain(is_empty.then_some("")).find(|name| !known.contains(*name))?;
             let text = format!("{tag} of {path} is '{}', which is the name of no coordinate", shown(name));
             Some(Finding::at(&SOCKET_NOWHERE, document.position_of(child), text).with_place(&path))
         })
