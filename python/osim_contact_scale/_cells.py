@@ -12,7 +12,7 @@ _RUST_NUMBER = re.compile(r"[+-]?(\d+\.?\d*(e[+-]?\d+)?|\.\d+(e[+-]?\d+)?|inf|in
 
 
 def to_cell(text: str) -> str:
-    """A text as a cell of CSV, by the rule of `cell` in crates/osim-planning/src/sheet/cell.rs.
+    """A text as a cell of CSV, by the rule of `cell` in crates/osim-planning/src/sheet.rs.
 
     Control characters are written as their numbers, and a text that a spreadsheet would run as a formula gets an apostrophe before it.
     """
@@ -30,7 +30,7 @@ def _with_apostrophe(text: str) -> str:
 
 
 def from_cell(cell: str) -> str:
-    """The text of a cell that the program wrote, by the rule of `from_cell` in crates/osim-planning/src/sheet/cell.rs."""
+    """The text of a cell that the program wrote, by the rule of `from_cell` in crates/osim-planning/src/sheet.rs."""
     text = cell[1:] if cell.startswith("'") and _is_formula(cell[1:]) else cell
     return re.sub(r"\\u\{(\+?[0-9a-fA-F]+)\}", _letter_of_escape, text)
 

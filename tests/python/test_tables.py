@@ -163,7 +163,7 @@ def test_cells_can_be_read_back(text):
     assert not any(letter in written for letter in "\r\n\t\x1b\u202e")
 
 
-# From the documentation of `cell` and `from_cell` in crates/osim-planning/src/sheet/cell.rs.
+# From the documentation of `cell` and `from_cell` in crates/osim-planning/src/sheet.rs.
 @pytest.mark.parametrize(
     ("text", "cell"),
     [

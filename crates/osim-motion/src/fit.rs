@@ -8,8 +8,7 @@
 use contact_scaling::Law;
 use rmpfit::{MPConfig, MPFitter, MPPar, MPResult, MPSuccess};
 
-pub use crate::fit_result::{FitError, FitErrors, FittedParameter, HeldOut, MotionFit};
-pub use crate::fit_trial::{FitTrial, FootForces};
+pub use crate::fit_data::{FitError, FitErrors, FitTrial, FittedParameter, FootForces, HeldOut, MotionFit};
 
 /// Which parameters of contacts are fitted to recordings, and their bounds.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -14,11 +14,10 @@ mod calls_into_rust;
 mod equations;
 mod figure;
 mod files;
+mod many_models;
 mod planned_change;
 mod problem;
-mod runs;
 mod scaling;
-mod survey;
 
 use pyo3::prelude::*;
 
@@ -38,13 +37,9 @@ mod _native {
     #[pymodule_export]
     use crate::figure::{Figure, plot};
     #[pymodule_export]
+    use crate::many_models::{change_many, rescale_many, survey, sweep};
+    #[pymodule_export]
     use crate::planned_change::{Planned, plan};
-    #[pymodule_export]
-    use crate::runs::sweep;
-    #[pymodule_export]
-    use crate::runs::{change_many, rescale_many};
-    #[pymodule_export]
-    use crate::survey::survey;
 
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {

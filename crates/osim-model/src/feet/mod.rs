@@ -41,7 +41,6 @@ mod foot;
 mod mesh;
 mod movements;
 mod sole;
-mod sole_pose;
 mod standing;
 
 pub use crate::model::angle_between;
@@ -55,8 +54,7 @@ pub use foot::{
 };
 pub use mesh::{MeshFault, MeshSurface, mesh_points, mesh_surface};
 pub use movements::{Mobility, Movements};
-pub use sole::{Footprint, Sole, SoleRequest, SoleSphere, soles};
-pub use sole_pose::TiltingCoordinate;
+pub use sole::{Footprint, Sole, SoleRequest, SoleSphere, TiltingCoordinate, soles};
 pub use standing::{
     LevelledSphere, LiftingCoordinate, MOST_LEAN_RAD, NotLevelled, NotLifted, RestLaw, RestOnFloor,
     RestingSphere, SphereOverFloor, Standing, held_roots, levelled_spheres,

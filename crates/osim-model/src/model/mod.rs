@@ -20,7 +20,7 @@
 
 mod anatomy;
 mod body_sizes;
-mod change_choices;
+mod choices;
 mod components;
 mod contact_digest;
 mod contacts;
@@ -37,7 +37,6 @@ mod placement;
 mod property;
 mod read;
 pub(crate) mod rules;
-mod selection;
 mod skeleton;
 mod typed_model;
 
@@ -51,7 +50,9 @@ pub use anatomy::{
     rounding_of_places_m,
 };
 pub use body_sizes::{AttachedMesh, BodyShape, ScaledSinceNote};
-pub use change_choices::{Assignment, DissipationBy, MovedSpheres, PropertySet, RadiusAxis, RadiusRule};
+pub use choices::{
+    Assignment, DissipationBy, MovedSpheres, PropertySet, RadiusAxis, RadiusRule, Selected, Selection,
+};
 pub use components::{Companion, Component, ComponentId, ComponentTree, Components, component_classes};
 pub use contact_digest::{ValueKey, short_digest};
 pub use contacts::{
@@ -82,6 +83,5 @@ pub use numbers_with_units::{Dimension, NotRead, SizedKind, SizedValue, SizedVal
 pub use placement::{Axis, LevelAxis, MovingPlacement, Placement, Rotation, angle_between};
 pub use property::{Class, Property, Value, ValueOrigin};
 pub use rules::RULES;
-pub use selection::{Selected, Selection};
 pub use skeleton::{Body, Loops, Skeleton};
 pub use typed_model::Model;

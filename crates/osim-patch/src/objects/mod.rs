@@ -7,7 +7,6 @@ mod nodes;
 mod rebuilt;
 mod remove;
 mod sets;
-mod sockets;
 
 pub use add::{NewSphere, add_contacts};
 pub(crate) use convert::keeps_sphere_inside;
@@ -16,4 +15,4 @@ pub use layout::{ContactLayout, NewContact, preset_model, presets_with_places};
 pub(crate) use rebuilt::EarlierNote;
 pub use rebuilt::{ObjectAction, ObjectChange, RebuiltModel};
 pub use remove::{DanglingReference, added_forces, dangling_references, remove};
-pub use sockets::connect_sockets;
+pub use sets::connect_sockets;

@@ -1,20 +1,27 @@
-//! Remarks, questions and refusals for changes that add, convert, remove or scale contacts.
+//! Remarks, questions and refusals for changes that add, convert, remove or scale contacts. Those about forces that a change makes or
+//! removes are here: smoothing, friction, names that other objects use, contacts between spheres.
 
 mod feet;
-mod forces;
 
-use osim_model::messages::{Input, phrase, shortest};
-use osim_model::{Fault, MissingFact, Model, RadiusRule};
-use osim_requests::RequestFault;
+use std::collections::HashMap;
+
+use contact_scaling::{Ratios, SmoothingValues};
+use osim_inspect::{FindingWithRemedy, InspectOptions, check_model};
+use osim_model::feet::{DefaultPose, PairsOfForce};
+use osim_model::messages::{Input, Phrase, Verb, listed, phrase, readable, shortest, three_significant};
+use osim_model::{
+    Class, Fault, FaultKind, Finding, FindingCode, Force, ForceKind, MissingFact, Model, Property,
+    RadiusRule, Selected, SphereId,
+};
+use osim_patch::{DanglingReference, ObjectAction, ObjectChange, Plan, RebuiltModel, dangling_references};
 use osim_requests::options::OutputOptions;
+use osim_requests::{ConstantIndentation, Request, RequestFault};
+
+use crate::prepared_change;
 
 pub(crate) use feet::{
     JointPositions, question_about_pad, question_about_scale, remark_on_leaning_planes,
     remark_on_noted_limbs, remark_on_other_planes, remark_on_standing, remarks_on_parts_of_feet,
-};
-pub(crate) use forces::{
-    findings_on_smoothing, remark_on_kept_friction, remark_on_old_document, remarks_on_dropped_pairs,
-    remarks_on_missing_names, remarks_on_smoothing,
 };
 
 /// Refuses to apply a factor to the same file once more, if the note says that it was applied already and `may_repeat` is false.
@@ -50,4 +57,234 @@ pub(crate) fn refuse_geometry_output(output: &OutputOptions) -> Result<(), Reque
         " is for a ForceSet without its model: this verb needs a whole model, which has its geometry in the same file"
     ];
     Err(RequestFault::refused(Input::GeometryOutput, why))
+}
+
+/// The largest number of sets of smoothing values that a remark lists.
+const NUMBERS_LISTED: usize = 3;
+/// The parameters of smoothing, in the order in which remarks list them.
+const SMOOTHING_PARAMETERS: [Property; 3] =
+    [Property::ConstantContactForce, Property::HertzSmoothing, Property::HuntCrossleySmoothing];
+
+/// Remarks on the smoothing values of new forces and on their effects. `given` says that the caller gave all these values.
+pub(crate) fn remarks_on_smoothing(objects: &[ObjectChange], given: bool) -> Vec<Phrase> {
+    let mut groups: Vec<([f64; 3], usize)> = Vec::new();
+    let mut index_of: HashMap<[u64; 3], usize> = HashMap::new();
+    for values in
+        objects.iter().filter(|object| object.action == ObjectAction::Added).filter_map(smoothing_values)
+    {
+        let index = *index_of.entry(values.map(f64::to_bits)).or_insert(groups.len());
+        match groups.get_mut(index) {
+            Some((_, count)) => *count += 1,
+            None => groups.push((values, 1)),
+        }
+    }
+    let mut remarks: Vec<Phrase> = groups
+        .iter()
+        .take(NUMBERS_LISTED)
+        .map(|(values, count)| smoothing_sentence(values, *count))
+        .collect();
+    if let Some(more) = groups.len().checked_sub(NUMBERS_LISTED).filter(|more| *more > 0) {
+        remarks.push(format!("{more} more smoothings, at other radii, are in the JSON of this run").into());
+    }
+    if !given {
+        let text = "smoothing that is not given is that of Falisse et al. (2022), scaled to the radius of each sphere: \
+                    (C.2), (C.5), (C.10)";
+        remarks.push(text.into());
+    }
+    let default = SmoothingValues::OPENSIM_DEFAULT;
+    let default = [default.constant_contact_force, default.hertz_smoothing, default.hunt_crossley_smoothing];
+    let as_by_default = groups.iter().all(|(values, _)| *values == default);
+    let how_much = if as_by_default {
+        ": with these numbers, about 90 times the force of a HuntCrossleyForce at 0.1 mm, 2.9 times at 1 mm, 7 % more at 10 mm"
+    } else {
+        ""
+    };
+    remarks.push(
+        format!("a smoothed force presses a little also where nothing touches, and more where a sphere hardly sinks in{how_much}")
+            .into(),
+    );
+    remarks.push("columns of results are named after the sphere, such as force.Sphere.force.X".into());
+    remarks
+}
+
+/// The smoothing parameters of a new smoothed force.
+fn smoothing_values(object: &ObjectChange) -> Option<[f64; 3]> {
+    let value = |wanted: Property| {
+        object.parameters.iter().find(|(property, _)| *property == wanted).map(|(_, value)| *value)
+    };
+    let [force, hertz, hunt_crossley] = SMOOTHING_PARAMETERS.map(value);
+    (object.class == ForceKind::SmoothSphereHalfSpace.as_str()).then_some([force?, hertz?, hunt_crossley?])
+}
+
+/// A sentence with the smoothing parameters that `count` new forces have.
+fn smoothing_sentence(values: &[f64; 3], count: usize) -> Phrase {
+    let one = |(property, value): (Property, &f64)| {
+        format!("{} {} {}", property.name(), readable(*value), property.unit())
+    };
+    let all: Vec<String> = SMOOTHING_PARAMETERS.into_iter().zip(values).map(one).collect();
+    let forces = if count == 1 { "force" } else { "forces" };
+    format!("smoothing of {count} {forces}: {}", all.join(", ")).into()
+}
+
+/// Findings of `check` about the smoothing of `model`: the body floats above the floor, or the forces carry it before its spheres touch.
+pub(crate) fn findings_on_smoothing(model: &Model) -> Vec<Finding> {
+    let options = InspectOptions::default();
+    let inspection = options.inspect("", model, None);
+    let changeable = prepared_change::find_other_changeable_values(&options, model, true);
+    let is_of_smoothing = |finding: &FindingWithRemedy| {
+        matches!(finding.code(), FindingCode::Floats | FindingCode::ForceBeforeContact)
+    };
+    let findings = check_model(&options, model, &inspection, &[], changeable).findings.into_iter();
+    findings.filter(is_of_smoothing).map(with_advice).collect()
+}
+
+/// The finding without its place, for a model that is not written yet, and with advice for this call instead of a remedy.
+fn with_advice(found: FindingWithRemedy) -> Finding {
+    let FindingWithRemedy { mut finding, remedy, .. } = found;
+    finding.position = None;
+    finding.message.push(": smooth less with ");
+    finding.message.push(Input::ConstantContactForce.with_placeholder("M2"));
+    let design = remedy.and_then(|remedy| match remedy {
+        Request::Design(design) => design.wanted.constant_indentation.map(ConstantIndentation::get),
+        _ => None,
+    });
+    if let Some(indentation) = design {
+        finding.message.push(", or change the result with ");
+        finding.message.push(
+            Verb::Design.call_with_model().with_value(Input::ConstantIndentation, readable(indentation)),
+        );
+    }
+    finding
+}
+
+/// If the transition velocities of friction differ by less than this (relative), as for masses within 1.8 times, the difference has little
+/// effect.
+const SIMILAR_SPEED_TOLERANCE: f64 = 0.1;
+
+/// A remark on transition velocities of friction that stay those of the reference. `None` if the body is about as large as the reference,
+/// or has no friction. The slip speed at which friction is full follows √R (isometric: M^(1/6)), like all speeds of a body.
+pub(crate) fn remark_on_kept_friction(plan: &Plan, built: &Model) -> Option<Phrase> {
+    let masses = plan.masses.as_ref()?;
+    let ratios = Ratios::isometric(masses.target_mass_kg / masses.contacts_mass.kg).ok()?;
+    let factor = ratios.transition_velocity();
+    if (factor - 1.0).abs() <= SIMILAR_SPEED_TOLERANCE || !built.forces().iter().any(has_friction) {
+        return None;
+    }
+    let text = format!(
+        "transition_velocity and viscous_friction stay the reference's, but speeds of this body are {} times as high: in trials from a \
+         mouse to a giraffe, feet that were pushed then slid 0.6 to 3.8 times as far (docs/studies/falls.md); scale them too with ",
+        three_significant(factor)
+    );
+    Some(phrase![text, Input::Friction])
+}
+
+/// Whether a coefficient of friction of the force is above 0.
+fn has_friction(force: &Force) -> bool {
+    const FRICTION_PROPERTIES: [Property; 3] =
+        [Property::StaticFriction, Property::DynamicFriction, Property::ViscousFriction];
+    let value = |set, property| force.checked(set, property).ok().flatten();
+    force
+        .sets
+        .iter()
+        .any(|set| FRICTION_PROPERTIES.iter().any(|&one| value(set.id, one).is_some_and(|value| value > 0.0)))
+}
+
+/// The version number of the first documents of OpenSim 4; OpenSim 1 to 3 wrote smaller numbers.
+const FIRST_VERSION_OF_OPENSIM_4: u32 = 40_000;
+
+/// A remark on smooth forces that `rebuilt` adds to a document of OpenSim 3 or older. OpenSim has had these forces since 4.1 (its list of
+/// changes), which also reads such documents.
+pub(crate) fn remark_on_old_document(rebuilt: &RebuiltModel) -> Option<Phrase> {
+    let smooth = ForceKind::SmoothSphereHalfSpace.as_str();
+    let is_new = |object: &ObjectChange| object.action == ObjectAction::Added && object.class == smooth;
+    let is_old = rebuilt.model().document().version() < FIRST_VERSION_OF_OPENSIM_4;
+    (is_old && rebuilt.objects.iter().any(is_new)).then(|| {
+        let text = format!(
+            "the document is of an OpenSim before 4, and {smooth} came with OpenSim 4.1, which reads it; for older programs the \
+             forces have to be of the class {}",
+            Class::HuntCrossleyForce.tag()
+        );
+        text.into()
+    })
+}
+
+/// The largest number of objects, and of names, that a remark lists.
+const NAMES_LISTED: usize = 3;
+
+/// Remarks on objects of `rebuilt` that use the names of objects which the change removed.
+pub(crate) fn remarks_on_missing_names(rebuilt: &RebuiltModel) -> Vec<Phrase> {
+    let objects_with_missing_names = dangling_references(rebuilt);
+    let remark = |leftover: &DanglingReference| {
+        let names = listed(&leftover.names, NAMES_LISTED);
+        Phrase::from(format!(
+            "{} still names {names}, gone from this model: change that in OpenSim",
+            leftover.object
+        ))
+    };
+    let mut remarks: Vec<Phrase> = objects_with_missing_names.iter().take(NAMES_LISTED).map(remark).collect();
+    if let Some(more) = objects_with_missing_names.len().checked_sub(NAMES_LISTED).filter(|more| *more > 0) {
+        remarks.push(format!("and so do {more} more").into());
+    }
+    remarks
+}
+
+/// The largest number of pairs of spheres that a remark lists.
+const PAIRS_LISTED: usize = 3;
+
+/// Remarks on contacts between two spheres of one force. These contacts end when the force is divided into forces of one sphere each.
+///
+/// # Errors
+/// Two spheres touch at the default pose, or it is not known whether they do: the force that keeps them apart would be gone.
+pub(crate) fn remarks_on_dropped_pairs(model: &Model, selected: &Selected) -> Result<Vec<Phrase>, Fault> {
+    let pose = DefaultPose::of(model);
+    let mut remarks = Vec::new();
+    for force in selected.forces.iter().filter_map(|&id| model.force(id)) {
+        let pairs = PairsOfForce::find(model, &pose, force, PAIRS_LISTED);
+        if let Some((pair, why)) = &pairs.not_apart {
+            return Err(refuse_pair(model, force, *pair, why.as_deref()));
+        }
+        if pairs.count == 0 {
+            continue;
+        }
+        let more = pairs.count - pairs.first.len();
+        let more = if more == 0 { String::new() } else { format!(", and {more} more") };
+        let named: Vec<String> =
+            pairs.first.iter().map(|pair| names_of(model, *pair).join(" and ")).collect();
+        let named = named.join("; ");
+        remarks.push(
+            format!(
+                "{} acts between spheres of different bodies, too, and the new forces do not: {named}{more}",
+                force.path
+            )
+            .into(),
+        );
+    }
+    Ok(remarks)
+}
+
+fn names_of(model: &Model, pair: [SphereId; 2]) -> [&str; 2] {
+    pair.map(|id| model.sphere(id).map_or("", |sphere| sphere.name.as_str()))
+}
+
+/// The error about two spheres that touch each other, or of which is not known whether they do: `why`.
+fn refuse_pair(model: &Model, force: &Force, pair: [SphereId; 2], why: Option<&str>) -> Fault {
+    let [one, other] = names_of(model, pair);
+    let path = &force.path;
+    let (text, otherwise) = match why {
+        Some(why) => (
+            format!(
+                "{path} also lets {one} and {other} touch each other, which forces of one sphere do not, and whether they touch is not \
+                 known ({why})"
+            ),
+            "",
+        ),
+        None => (
+            format!(
+                "in {path}, {one} and {other} touch each other at the default pose, which forces of one sphere do not"
+            ),
+            "take one of them out of it in OpenSim",
+        ),
+    };
+    let kind = FaultKind::ForceCannotChange { text, force: force.name.clone(), otherwise };
+    Fault::new(kind).at_element(path.clone())
 }

@@ -1,24 +1,24 @@
-//! A table of requests: each row changes one model.
+//! A table of requests: each row changes one model. Reads a row as the fields of a request, and reports faults in the row.
 
-mod cells;
 mod columns;
 
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-use osim_model::YesQuestion;
 use osim_model::files::{Failure, Files};
 use osim_model::messages::{Input, Phrase, Verb, phrase, shown};
+use osim_model::{MassesOfOtherRows, YesQuestion};
 use osim_requests::options::OutputOptions;
 use osim_requests::values::path;
-use osim_requests::{Request, RequestError, RequestFault};
+use osim_requests::values::typed_numbers::trimmed;
+use osim_requests::{CHANGING, Request, RequestError, RequestFault};
 use serde_json::{Map, Value, json};
 
+use crate::opening::{find_preset, looks_like_file};
 use crate::prepared_change::PreparedChange;
-use crate::sheet::{Row, Sheet};
-use crate::table::cells::{MassesOfTable, RowCells};
-use crate::table::columns::{Columns, WAY_OUT, model_field};
-use crate::verbs::prepare;
-pub use cells::RowFault;
+use crate::sheet::{BROKEN_FORMULA_MESSAGE, Row, Sheet, is_broken_formula};
+use crate::table::columns::{CellKind, Column, Columns, VERBS_OF_COLUMNS, WAY_OUT, model_field};
+use crate::verbs::{changing_verbs, prepare};
 
 /// A table of models, each row of which is a request to change one model.
 pub struct Table {
@@ -196,4 +196,230 @@ fn output_options_of_row(cells: &RowCells, call: &OutputOptions) -> Result<Outpu
     output.force = cells.has_flag("force") || call.force;
     output.no_note = cells.has_flag("no_note") || call.no_note;
     Ok(output)
+}
+
+/// What is wrong with a row of a table of models.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RowFault {
+    /// Header of the column with the fault; `None` if the fault is not about one column.
+    pub column: Option<String>,
+    pub message: Phrase,
+}
+
+impl RowFault {
+    /// A fault in the cell of one column.
+    pub fn of(column: &str, message: impl Into<Phrase>) -> Self {
+        Self { column: Some(column.to_owned()), message: message.into() }
+    }
+
+    /// A fault that is not about one column.
+    pub fn general(message: impl Into<Phrase>) -> Self {
+        Self { column: None, message: message.into() }
+    }
+}
+
+/// The cells of one row of a table of models, as the fields of a request.
+struct RowCells {
+    pub verb: Verb,
+    pub model: PathBuf,
+    pub output: Option<PathBuf>,
+    pub output_dir: Option<PathBuf>,
+    pub geometry_output: Option<PathBuf>,
+    pub fields: Map<String, Value>,
+}
+
+impl RowCells {
+    /// Reads the cells of `row`. `folder` is the folder of the table.
+    ///
+    /// # Errors
+    /// A cell that is not clear, or a row without a model or a verb.
+    fn read(
+        row: &Row,
+        columns: &Columns,
+        sheet: &Sheet,
+        folder: &Path,
+        files: &dyn Files,
+    ) -> Result<Self, RowFault> {
+        let mut cells = Self {
+            verb: verb_of_row(row, columns)?,
+            model: PathBuf::new(),
+            output: None,
+            output_dir: None,
+            geometry_output: None,
+            fields: Map::new(),
+        };
+        for (column, cell) in filled_cells(row, columns) {
+            if column.kind != CellKind::UserColumn && is_broken_formula(cell) {
+                return Err(RowFault::of(&column.header, format!("'{cell}' {BROKEN_FORMULA_MESSAGE}")));
+            }
+            match column.kind {
+                CellKind::Model => cells.model = path_below(folder, cell),
+                CellKind::Path => cells.set_path(&column.field, path_below(folder, cell)),
+                CellKind::From => {
+                    let presets = filled_cells(row, columns).find(|(column, _)| column.field == "presets");
+                    let presets = presets.map(|(_, cell)| path_below(folder, cell));
+                    let from = preset_or_model_path(folder, cell, presets.as_deref(), files);
+                    cells.set_field(&column.field, path::to_value(&from));
+                }
+                CellKind::Value => cells.set_field(&column.field, number_text(cell, sheet, column)?),
+                CellKind::List => {
+                    cells.set_field(&column.field, cell_items(cell, &[';']).collect::<Vec<_>>());
+                }
+                CellKind::ListWithCommas => {
+                    cells.set_field(&column.field, cell_items(cell, &[';', ',']).collect::<Vec<_>>());
+                }
+                CellKind::Paths => {
+                    let paths =
+                        cell_items(cell, &[';']).map(|item| path::to_value(&path_below(folder, item)));
+                    cells.set_field(&column.field, paths.collect::<Vec<Value>>());
+                }
+                CellKind::Flag if is_yes(cell, column)? => cells.set_field(&column.field, true),
+                CellKind::Set => cells.set_field("set", cell),
+                CellKind::Flag | CellKind::Verb | CellKind::UserColumn => {}
+            }
+        }
+        if cells.model.as_os_str().is_empty() {
+            return Err(RowFault::of(&columns.model, "empty, expected the model's file name"));
+        }
+        if cells.model.as_os_str() == "-" {
+            let message = "standard input is not a model of a manifest: name a file";
+            return Err(RowFault::of(&columns.model, message));
+        }
+        Ok(cells)
+    }
+
+    fn has_flag(&self, flag: &str) -> bool {
+        self.fields.get(flag) == Some(&Value::Bool(true))
+    }
+
+    /// Sets a field of the row's request.
+    fn set_field(&mut self, field: &str, value: impl Into<Value>) {
+        self.fields.insert(field.to_owned(), value.into());
+    }
+
+    /// Sets a field of the row's request that is a path.
+    fn set_path(&mut self, field: &str, path: PathBuf) {
+        match field {
+            "output" => self.output = Some(path),
+            "output_dir" => self.output_dir = Some(path),
+            "geometry_output" => self.geometry_output = Some(path),
+            _ => self.set_field(field, path::to_value(&path)),
+        }
+    }
+}
+
+/// The items of a cell between these marks.
+fn cell_items<'c>(cell: &'c str, marks: &[char]) -> impl Iterator<Item = &'c str> {
+    cell.split(marks).map(trimmed).filter(|item| !item.is_empty())
+}
+
+/// The cells of a row that are not empty, with their columns.
+fn filled_cells<'r>(row: &'r Row, columns: &'r Columns) -> impl Iterator<Item = (&'r Column, &'r str)> {
+    let cells = row.cells.iter().map(String::as_str);
+    columns.columns.iter().zip(cells).filter(|(_, cell)| !cell.is_empty())
+}
+
+/// The verb of a row: the text in its verb cell; else the verb that the other cells of the row show.
+fn verb_of_row(row: &Row, columns: &Columns) -> Result<Verb, RowFault> {
+    let filled = |field: &str| {
+        filled_cells(row, columns)
+            .find(|(column, _)| column.field == field && column.kind != CellKind::UserColumn)
+    };
+    if let Some((column, cell)) = filled("verb") {
+        let known = CHANGING.iter().copied().find(|verb| verb.name().eq_ignore_ascii_case(cell));
+        return known
+            .ok_or_else(|| RowFault::of(&column.header, format!("'{cell}', expected {}", changing_verbs())));
+    }
+    let shown = VERBS_OF_COLUMNS.into_iter().find(|(field, _)| filled(field).is_some());
+    let message = "what to do is missing: fill in a target mass (rescale), from (transfer), set, or verb";
+    shown.map(|(_, verb)| verb).ok_or_else(|| RowFault::general(message))
+}
+
+/// A path in the table, which begins at the table's own folder.
+fn path_below(folder: &Path, path: &str) -> PathBuf {
+    if path == "-" { PathBuf::from(path) } else { folder.join(path) }
+}
+
+/// The name of a preset, or else the path of a model, which begins at the table's folder.
+fn preset_or_model_path(folder: &Path, cell: &str, presets: Option<&Path>, files: &dyn Files) -> PathBuf {
+    let path = path_below(folder, cell);
+    let is_preset = || find_preset(Path::new(cell), presets, files).is_ok_and(|preset| preset.is_some());
+    let is_file = !is_preset() && (files.exists(&path) || looks_like_file(Path::new(cell)));
+    if is_file { path } else { cell.into() }
+}
+
+/// The text of a number with a decimal point. The cell may have a decimal comma if the meaning of the comma is clear.
+fn number_text(cell: &str, sheet: &Sheet, column: &Column) -> Result<String, RowFault> {
+    let refused = |message: String| RowFault::of(&column.header, Phrase::from(message));
+    let digits = cell.strip_prefix(['x', 'X']).unwrap_or(cell);
+    let numeric = digits.starts_with(|c: char| c.is_ascii_digit() || c == '-' || c == '+')
+        && digits.bytes().all(|byte| byte.is_ascii_digit() || b"+-.,eE".contains(&byte));
+    if !numeric {
+        return Ok(cell.to_owned());
+    }
+    for mark in [',', '.'] {
+        // A point separates thousands only where commas are decimal.
+        if may_part_thousands(digits, mark) && (mark == ',' || sheet.decimal_commas) {
+            let (plain, point) = (digits.replace(mark, ""), digits.replace(mark, "."));
+            return Err(refused(format!("'{cell}' may be {plain} or {point}: write {plain} or {point}0")));
+        }
+    }
+    sheet.with_decimal_point(cell).map(Into::into).map_err(|why| refused(format!("'{cell}' {why}")))
+}
+
+/// Whether `mark` may separate thousands in these digits. In some countries `1,190` is 1.19 and in others 1190, and likewise `1.190`;
+/// `0,190` has only one meaning.
+fn may_part_thousands(digits: &str, mark: char) -> bool {
+    let all_digits = |text: &str| text.bytes().all(|byte| byte.is_ascii_digit());
+    digits.split_once(mark).is_some_and(|(head, tail)| {
+        (1..=3).contains(&head.len())
+            && all_digits(head)
+            && !head.starts_with('0')
+            && tail.len() == 3
+            && all_digits(tail)
+    })
+}
+
+/// Whether a cell says yes; an error if it says neither yes nor no.
+fn is_yes(cell: &str, column: &Column) -> Result<bool, RowFault> {
+    match cell.to_ascii_lowercase().as_str() {
+        "yes" | "true" | "1" | "x" => Ok(true),
+        "no" | "false" | "0" => Ok(false),
+        _ => Err(RowFault::of(&column.header, format!("'{cell}', expected yes or no"))),
+    }
+}
+
+// Columns of masses: each row is judged by the others, because a mistake differs from the other rows.
+
+/// Columns with masses, which may have typing mistakes or other units.
+const MASS_COLUMNS: [Input; 3] = [Input::TargetMass, Input::ContactsMass, Input::Mass];
+
+/// The masses in each of the [`MASS_COLUMNS`], kg, from the lightest to the heaviest.
+#[derive(Debug, Default)]
+struct MassesOfTable(BTreeMap<Input, Vec<f64>>);
+
+impl MassesOfTable {
+    /// Collects the masses from all rows of a table. A cell that is not a number is refused later, when its row is read.
+    fn of(sheet: &Sheet, columns: &Columns) -> Self {
+        let read = |input: Input| {
+            let is_of = |field: &str, kind| kind == CellKind::Value && field == input.name();
+            let at = columns.columns.iter().position(|column| is_of(&column.field, column.kind))?;
+            let column = columns.columns.get(at)?;
+            let cells = sheet.rows.iter().filter_map(|row| row.cells.get(at));
+            let mut masses: Vec<f64> =
+                cells.filter_map(|cell| number_text(cell, sheet, column).ok()?.parse().ok()).collect();
+            masses.sort_by(f64::total_cmp);
+            Some((input, masses))
+        };
+        Self(MASS_COLUMNS.into_iter().filter_map(read).collect())
+    }
+
+    /// The masses in the other rows of the table, for a row with the fields `fields`.
+    fn other_rows(&self, fields: &Map<String, Value>) -> BTreeMap<Input, MassesOfOtherRows> {
+        let found = self.0.iter().filter_map(|(&input, sorted)| {
+            let own_kg = fields.get(input.name())?.as_str()?.parse().ok()?;
+            Some((input, MassesOfOtherRows::without(sorted, own_kg)?))
+        });
+        found.collect()
+    }
 }

@@ -7,15 +7,12 @@
 //! The description of an equation, its number, its units and the meanings of its symbols come from the register of `contact-scaling`.
 
 mod docstring;
-mod equation_error;
 mod function;
 mod laws;
-mod smooth;
 mod spheres;
 
 pub(crate) use docstring::{MIXING_RULES, Parameter};
-pub(crate) use equation_error::EquationError;
-pub(crate) use function::{Function, RustFunction, rule_by_name};
+pub(crate) use function::{EquationError, Function, RustFunction, rule_by_name};
 pub(crate) use spheres::{MEAN_SQUARE_RADIUS, SPHERE_LIST_FUNCTIONS};
 
 /// All functions that take numbers, in the order of the paper.
@@ -25,8 +22,8 @@ pub(crate) fn all() -> impl Iterator<Item = &'static Function> {
         laws::RESTITUTION,
         laws::SURFACES,
         laws::STIFFNESS,
-        smooth::SMOOTH,
-        smooth::SMOOTHING,
+        laws::SMOOTH,
+        laws::SMOOTHING,
         laws::RATIOS,
     ]
     .into_iter()

@@ -7,9 +7,7 @@ use contact_scaling::{
 };
 
 use crate::scaling::docstring::{Argument, Parameter, Returns, docstring};
-use crate::scaling::equation_error::EquationError;
-use crate::scaling::function::parameter;
-use crate::scaling::function::{Columns, forms};
+use crate::scaling::function::{Columns, EquationError, forms, parameter};
 
 /// An equation for a body on several spheres, whose bottoms are at one height or each at its own height.
 #[derive(Debug, Clone, Copy)]

@@ -13,7 +13,7 @@ use crate::html::special_models::{DrawnStates, ModelFacts};
 use crate::html::sphere_figures::{self, ModelState};
 use crate::html::{Entry, findings, plots, reference};
 use crate::report::extent::Extent;
-use crate::report::inspection::table::{
+use crate::report::inspection::{
     alike_forces, counted_and_named_forces, decimals, metres, radius_text, sentences_on_body,
     sources_in_words,
 };
