@@ -3,12 +3,11 @@
 mod body;
 mod curves;
 mod heat;
-mod sampling;
 
 pub use body::{CarriedWeight, ContactBody, ReferenceState, SphereKind, standing_spheres};
 pub use curves::{
-    DropSeries, ForceSeries, LoopSeries, bodies_and_kinds, contact_state, curve_name, default_duration,
-    default_range, drop_force, force, force_at_rest, hysteresis, impact_speed, run_drop_test, thresholds,
+    DropSeries, ForceSeries, ForceUnit, IndentationUnit, LoopSeries, PlotUnits, Point, bodies_and_kinds,
+    contact_state, curve_name, default_duration, default_range, drop_force, force, force_at_rest, hysteresis,
+    impact_speed, run_drop_test, thresholds,
 };
 pub use heat::{HeatParameter, HeatRequest, HeatSeries, Profile, heat};
-pub use sampling::{ForceUnit, IndentationUnit, PlotUnits, Point};

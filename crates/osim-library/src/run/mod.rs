@@ -5,7 +5,6 @@
 
 mod fix;
 mod model_job;
-mod planned_model;
 mod record;
 mod request;
 mod resume;
@@ -28,8 +27,7 @@ use crate::workers::{thread_count, work_in_order};
 use crate::write::{OutputFolders, WriteMode};
 
 pub(crate) use fix::ModelToFix;
-pub use model_job::{ModelOutcome, OutcomeCounts};
-pub use planned_model::PlannedModel;
+pub use model_job::{ModelOutcome, OutcomeCounts, PlannedModel};
 pub use record::{JsonRecord, Record, Status};
 pub use request::{ChangedModel, ModelDetail, RunFrontEnd, RunRequest};
 pub use rows::{CheckedRows, RowReader};

@@ -7,8 +7,8 @@ use std::sync::Arc;
 use foldhash::{HashMap, HashMapExt, HashSet};
 use glam::DVec3;
 
-use super::couplers::CoordinateValues;
 use super::fault::PoseFault;
+use super::movements::CoordinateValues;
 use crate::model::angle_between;
 use crate::model::{Model, ModelJoint, Placement};
 

@@ -34,7 +34,6 @@
 mod bones;
 mod contact_planes;
 mod convex_hull;
-mod couplers;
 mod default_pose;
 mod fault;
 mod foot;
@@ -46,14 +45,13 @@ mod standing;
 pub use crate::model::angle_between;
 pub use bones::{AttachedBones, Bone, MeshFolders, OddMesh, attached_surface, bones, odd_meshes, odd_size};
 pub use contact_planes::{ContactPlane, PairsOfForce, PlaneSurface, STEEPEST_FLOOR_RAD};
-pub use couplers::{Coupler, Couplers, prescribed_function};
 pub use default_pose::{DefaultPose, JointStep, joints_from_ground};
 pub use fault::{FeetFault, PoseFault};
 pub use foot::{
     FloorPlace, Foot, FootBodies, FootBone, FootFrame, FootJoint, FootSphere, ViewAxes, silhouette,
 };
 pub use mesh::{MeshFault, MeshSurface, mesh_points, mesh_surface};
-pub use movements::{Mobility, Movements};
+pub use movements::{Coupler, Couplers, Mobility, Movements, prescribed_function};
 pub use sole::{Footprint, Sole, SoleRequest, SoleSphere, TiltingCoordinate, soles};
 pub use standing::{
     LevelledSphere, LiftingCoordinate, MOST_LEAN_RAD, NotLevelled, NotLifted, RestLaw, RestOnFloor,

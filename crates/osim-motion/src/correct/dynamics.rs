@@ -5,7 +5,7 @@ use std::collections::HashSet;
 use osim_model::feet::Couplers;
 use osim_model::{DVec3, Model, MovingPlacement};
 
-use super::slopes::SLOPE_STEP;
+use super::residuals::SLOPE_STEP;
 use super::unknowns::{CoordinatesOfCorrection, CorrectedCoordinate};
 use crate::body_motions::JointPaths;
 use crate::{

@@ -8,7 +8,6 @@
 mod dynamics;
 mod figures;
 mod residuals;
-mod slopes;
 mod solve;
 mod unknowns;
 mod verdict;
@@ -21,8 +20,7 @@ use crate::{
     StatesError, TOUCH_DOWN_BW, Wrench,
 };
 use dynamics::Masses;
-use residuals::{CorrectionInputs, FootGoals, PlateGoal, Stage, StageProblem, minimise};
-use slopes::FootSlopes;
+use residuals::{CorrectionInputs, FootGoals, FootSlopes, PlateGoal, Stage, StageProblem, minimise};
 use solve::CONSTANTS;
 use unknowns::{SplineBasis, find_coordinates, knot_distance_s};
 

@@ -12,7 +12,7 @@ use contact_scaling::{
     SmoothingValues, continuation, design, patch, restitution, smoothing, stiffness,
 };
 
-use crate::scaling::docstring::Returns::{Factor, Value};
+use crate::scaling::function::Returns::{Factor, Value};
 use crate::scaling::function::{Function, function};
 
 pub(super) const HERTZ: &[Function] = &[

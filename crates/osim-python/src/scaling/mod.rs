@@ -6,13 +6,11 @@
 //!
 //! The description of an equation, its number, its units and the meanings of its symbols come from the register of `contact-scaling`.
 
-mod docstring;
 mod function;
 mod laws;
 mod spheres;
 
-pub(crate) use docstring::{MIXING_RULES, Parameter};
-pub(crate) use function::{EquationError, Function, RustFunction, rule_by_name};
+pub(crate) use function::{EquationError, Function, MIXING_RULES, Parameter, RustFunction, rule_by_name};
 pub(crate) use spheres::{MEAN_SQUARE_RADIUS, SPHERE_LIST_FUNCTIONS};
 
 /// All functions that take numbers, in the order of the paper.

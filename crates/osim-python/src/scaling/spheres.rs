@@ -6,7 +6,7 @@ use contact_scaling::{
     DomainError, Hertz, HuntCrossley, Law, SmoothSphere, SmoothingValues, Spheres, mixed_radii,
 };
 
-use crate::scaling::docstring::{Argument, Parameter, Returns, docstring};
+use crate::scaling::function::{Argument, Parameter, Returns, docstring};
 use crate::scaling::function::{Columns, EquationError, forms, parameter};
 
 /// An equation for a body on several spheres, whose bottoms are at one height or each at its own height.

@@ -8,9 +8,9 @@ use glam::{DVec2, DVec3};
 
 use crate::feet::bones::Bone;
 use crate::feet::convex_hull::{convex_hull, sort_and_dedup};
-use crate::feet::couplers::CoordinateValues;
 use crate::feet::default_pose::DefaultPose;
 use crate::feet::fault::FeetFault;
+use crate::feet::movements::CoordinateValues;
 use crate::feet::sole::footprint::{BonePoint, FootAxes, GroundPoint, spread_bottoms};
 use crate::messages::{readable, shown};
 use crate::model::{Model, ModelJoint, Placement, Side, angle_between, without_side};

@@ -4,8 +4,8 @@
 use foldhash::{HashMap, HashMapExt, HashSet, HashSetExt};
 use glam::DVec3;
 
-use crate::feet::couplers::{CoordinateState, CoordinateStates, CoordinateValues, Couplers, is_enforced};
 use crate::feet::default_pose::{DefaultPose, JointStep, joints_from_ground};
+use crate::feet::movements::{CoordinateState, CoordinateStates, CoordinateValues, Couplers, is_enforced};
 use crate::model::{ComponentId, JointCoordinate, Model, ModelJoint, Placement, Side};
 
 /// Two displacements are equal if they differ by at most this, per metre of the coordinate.
