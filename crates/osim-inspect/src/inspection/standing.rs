@@ -76,6 +76,9 @@ json_records! {
         /// The centre of the sphere in ground, m.
         #[serde(skip)]
         pub centre_m: DVec3 = over.centre_m,
+        /// Height of the bottom with all coordinates at 0, along the normal, m; null if that pose is not known.
+        #[serde(skip)]
+        pub height_at_zero_m: Option<f64> = over.height_at_zero_m,
     }
 
     /// A body at rest on spheres, by the contact laws of the file.

@@ -7,7 +7,7 @@ use osim_model::{Example, Finding, Repair, Severity, are_equal_masses};
 use osim_requests::Request;
 
 use crate::rules::figure_check::{FigureCheck, UP_TO_CENTRE_RADII, value_beyond_limit};
-use crate::rules::standing::level_feet;
+use crate::rules::standing::{UnevenLimb, bottoms_by_path, level_feet};
 use crate::{Figure, FindingWithRemedy, SphereFigures};
 use osim_model::rule;
 
@@ -65,21 +65,14 @@ fn carrying_limbs(check: &FigureCheck<'_>) -> String {
     }
 }
 
-/// A foot that leans by more than this at the default pose, rad, stands on an edge because of the pose.
-const LEAST_LEAN_RAD: f64 = 0.01;
-
 /// Finds limbs whose lower spheres alone carry the weight that all spheres should carry. The contacts are not too soft. The finding is a
 /// remark if the foot leans, because then the pose decides which spheres are low.
 fn sunk_in_at_own_heights(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> {
-    let bottoms = check.inspected.standing.iter().flat_map(|body| &body.bottoms);
-    let leaning: Vec<&str> = bottoms
-        .filter(|bottom| bottom.tilt_rad > LEAST_LEAN_RAD)
-        .map(|bottom| bottom.path.as_str())
-        .collect();
+    let bottoms = bottoms_by_path(check);
     let limb_leans = |sphere: &SphereFigures| {
-        let mut limbs = check.inspected.figures.limbs.iter().map(|limb| &limb.spheres);
-        let limb = limbs.find(|limb| limb.iter().any(|one| one.path == sphere.path));
-        limb.is_some_and(|limb| limb.iter().any(|one| leaning.contains(&one.path.as_str())))
+        let mut limbs = check.inspected.figures.limbs.iter();
+        let limb = limbs.find(|limb| limb.spheres.iter().any(|one| one.path == sphere.path));
+        limb.and_then(|limb| UnevenLimb::of(&bottoms, limb)).is_some_and(|limb| limb.leans())
     };
     let too_deep = |leans: bool| {
         check.spheres_with(|sphere| {

@@ -61,8 +61,14 @@ pub(super) fn level_feet(check: &FigureCheck<'_>) -> Option<Request> {
     may_be_radii.then(|| check.remedies.level_feet()).flatten()
 }
 
+/// The bottoms of all spheres by their paths.
+pub(super) fn bottoms_by_path<'i>(check: &FigureCheck<'i>) -> HashMap<&'i str, &'i Bottom> {
+    let bottoms = check.inspected.standing.iter().flat_map(|body| &body.bottoms);
+    bottoms.map(|bottom| (bottom.path.as_str(), bottom)).collect()
+}
+
 /// A limb whose lowest and highest bottoms differ.
-struct UnevenLimb<'i> {
+pub(super) struct UnevenLimb<'i> {
     limb: &'i LimbFigures,
     lowest: &'i Bottom,
     highest: &'i Bottom,
@@ -70,14 +76,18 @@ struct UnevenLimb<'i> {
     difference_radii: f64,
     /// How far the bodies of the lowest and the highest sphere lean, rad.
     tilt_rad: f64,
+    /// The difference with all coordinates at 0, m, if it is no warning there: then only the pose makes the bottoms uneven.
+    difference_at_zero_m: Option<f64>,
 }
+
+/// A foot that leans by more than this at the default pose, rad, stands on an edge because of the pose.
+const LEAST_LEAN_RAD: f64 = 0.01;
 
 impl<'i> UnevenLimb<'i> {
     /// The limb whose bottoms differ most in height.
     fn worst(check: &FigureCheck<'i>) -> Option<Self> {
-        let bottoms = check.inspected.standing.iter().flat_map(|body| &body.bottoms);
-        let bottoms: HashMap<&str, &Bottom> = bottoms.map(|bottom| (bottom.path.as_str(), bottom)).collect();
-        let limbs = check.inspected.figures.limbs.iter();
+        let bottoms = bottoms_by_path(check);
+        let limbs = check.inspected.figures.limbs.iter().filter(|limb| limb.limb.is_some());
         let uneven = limbs.filter_map(|limb| Self::of(&bottoms, limb));
         uneven.reduce(|a, b| if b.difference_radii > a.difference_radii { b } else { a })
     }
@@ -91,31 +101,50 @@ impl<'i> UnevenLimb<'i> {
         let tilt_rad = if self.tilt_rad > MOST_LEAN_RAD { self.tilt_rad } else { 0.0 };
         let of_pose_m = self.lowest.centre_m.distance(self.highest.centre_m) * libm::sin(tilt_rad);
         self.differs_by_more_than(WARNING_DIFFERENCE_RADII + of_pose_m / self.lowest.radius_m)
+            && self.difference_at_zero_m.is_none()
     }
 
-    /// The lowest and the highest bottom of `limb`; `None` if the limb or its bottoms are not known.
-    fn of(bottoms: &HashMap<&str, &'i Bottom>, limb: &'i LimbFigures) -> Option<Self> {
-        limb.limb.as_ref()?;
+    /// Whether the pose decides which of the spheres are low.
+    pub(super) fn leans(&self) -> bool {
+        self.tilt_rad > LEAST_LEAN_RAD || self.difference_at_zero_m.is_some()
+    }
+
+    /// The lowest and the highest bottom of `limb`; `None` if its bottoms are not known.
+    pub(super) fn of(bottoms: &HashMap<&str, &'i Bottom>, limb: &'i LimbFigures) -> Option<Self> {
         let of_limb = limb.spheres.iter().filter_map(|sphere| bottoms.get(sphere.path.as_str()));
         let bottoms: Vec<&Bottom> = of_limb.copied().collect();
         let lowest = bottoms.iter().copied().reduce(|a, b| if b.height_m < a.height_m { b } else { a })?;
         let highest = bottoms.iter().copied().reduce(|a, b| if b.height_m > a.height_m { b } else { a })?;
         let difference_radii = (highest.height_m - lowest.height_m) / lowest.radius_m;
         let tilt_rad = bottoms.iter().map(|bottom| bottom.tilt_rad).fold(0.0, f64::max);
-        Some(Self { limb, lowest, highest, difference_radii, tilt_rad })
+        let at_zero_m: Option<Vec<f64>> = bottoms.iter().map(|bottom| bottom.height_at_zero_m).collect();
+        let spread_m = |heights_m: Vec<f64>| {
+            let most_m = heights_m.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+            most_m - heights_m.into_iter().fold(f64::INFINITY, f64::min)
+        };
+        let is_level = |spread: &f64| {
+            difference_radii > WARNING_DIFFERENCE_RADII
+                && *spread <= WARNING_DIFFERENCE_RADII * lowest.radius_m
+        };
+        let difference_at_zero_m = at_zero_m.map(spread_m).filter(is_level);
+        Some(Self { limb, lowest, highest, difference_radii, tilt_rad, difference_at_zero_m })
     }
 
     /// The finding of `rule` about this limb.
     fn finding(&self, rule: &'static Rule) -> Finding {
-        let Self { limb, lowest, highest, difference_radii, tilt_rad } = self;
-        let millimetres = readable(((highest.height_m - lowest.height_m) * 1e4).round() / 10.0);
-        let tilted = match *tilt_rad > MOST_LEAN_RAD {
-            true => format!("; the foot is tilted by {:.0} degrees there", tilt_rad.to_degrees()),
-            false => String::new(),
+        let Self { limb, lowest, highest, difference_radii, tilt_rad, .. } = self;
+        let millimetres = |metres: f64| readable((metres * 1e4).round() / 10.0);
+        let tilted = match self.difference_at_zero_m {
+            Some(metres) => format!("; with all coordinates at 0 by {} mm", millimetres(metres)),
+            None if *tilt_rad > MOST_LEAN_RAD => {
+                format!("; the foot is tilted by {:.0} degrees there", tilt_rad.to_degrees())
+            }
+            None => String::new(),
         };
         let text = format!(
-            "the lowest points of {} differ by {millimetres} mm at the default pose, {} R, from {} to {}{}{tilted}",
+            "the lowest points of {} differ by {} mm at the default pose, {} R, from {} to {}{}{tilted}",
             shown(limb.limb.as_deref().unwrap_or_default()),
+            millimetres(highest.height_m - lowest.height_m),
             three_significant(*difference_radii),
             shown(&lowest.sphere),
             shown(&highest.sphere),

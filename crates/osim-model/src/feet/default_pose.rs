@@ -49,9 +49,8 @@ impl DefaultPose {
         Self(Arc::clone(model.derived_from_bodies(place)))
     }
 
-    /// The pose with all coordinates at 0, if the heaviest body is turned against it by more than 45 degrees under `up`: at the default
-    /// pose the model lies.
-    pub(super) fn before_lying(&self, model: &Model, up: DVec3) -> Option<Self> {
+    /// The pose with all coordinates at 0, which is computed once for each model.
+    pub(super) fn at_zero(model: &Model) -> &Self {
         /// The pose at 0, as a type of its own.
         struct AtZero(DefaultPose);
         let AtZero(at_zero) = model.derived_from_bodies(|model| {
@@ -59,11 +58,18 @@ impl DefaultPose {
             let values = names.map(|coordinate| (coordinate.name.clone(), 0.0)).collect();
             AtZero(Self(Arc::new(Placements::at(model, &CoordinateValues { values, doubt: None }))))
         });
+        at_zero
+    }
+
+    /// The pose with all coordinates at 0, if the heaviest body is turned against it by more than 45 degrees under `up`: at the default
+    /// pose the model lies.
+    pub(super) fn before_lying<'m>(&self, model: &'m Model, up: DVec3) -> Option<&'m Self> {
+        let at_zero = Self::at_zero(model);
         let masses = model.bodies().iter().filter_map(|body| Some((body.mass_kg().ok()?, &body.name)));
         let (_, heaviest) = masses.max_by(|a, b| a.0.total_cmp(&b.0))?;
         let up_in_heaviest = |pose: &Self| pose.direction_in(heaviest, up).ok();
         let turned_rad = angle_between(up_in_heaviest(self)?, up_in_heaviest(at_zero)?);
-        (turned_rad > FRAC_PI_4).then(|| at_zero.clone())
+        (turned_rad > FRAC_PI_4).then_some(at_zero)
     }
 
     /// `direction`, a vector in ground, in the frame of `body`.

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use osim_inspect::{InspectOptions, Inspection};
 use osim_model::files::InMemory;
-use osim_model::{FileId, FindingCode, Model};
+use osim_model::{FileId, FindingCode, Model, Severity};
 use osim_patch::Plan;
 use osim_planning::prepare;
 use osim_requests::Request;
@@ -102,16 +102,41 @@ fn bottoms_that_radii_do_not_explain_are_not_made_level() {
     }
 }
 
+/// The model `text` with legs that are turned by `angle_rad` at the default pose.
+fn with_tilted_legs(text: &str, angle_rad: f64) -> String {
+    ["r", "l"].iter().fold(text.to_owned(), |text, side| {
+        let joint = format!("<PinJoint name=\"leg_{side}\">");
+        let angle = format!(
+            "{joint}<coordinates><Coordinate name=\"angle_{side}\"><default_value>{angle_rad}</default_value></Coordinate></coordinates>"
+        );
+        text.replace(&joint, &angle)
+    })
+}
+
+/// However far the legs are turned, feet that are level with all coordinates at 0 have their spheres at the right heights. Seen from the
+/// nearest axis, a foot that is turned by 1.4 rad is tilted by 0.17.
+#[test]
+fn feet_that_are_level_with_coordinates_at_0_are_uneven_by_their_pose_alone() {
+    let level = UNEVEN_MODEL.replace(" -0.03 ", " -0.01 ");
+    let heels_high = level.replace("<location>0.00190115 -0.01 ", "<location>0.00190115 0.29 ");
+    for angle_rad in [0.6, 1.4, std::f64::consts::FRAC_PI_2] {
+        for (text, is_accused) in [(&level, false), (&heels_high, true)] {
+            let text = with_tilted_legs(text, angle_rad);
+            let found = check_with(MODEL_NAME, &text, &InspectOptions::default());
+            assert_eq!(has(&found, FindingCode::UnevenBottoms), is_accused, "{:?}", found.findings);
+            let of_depth = found.findings.iter().filter(|one| one.code() == FindingCode::SunkIn);
+            assert!(is_accused || of_depth.map(|one| one.severity).all(|it| it == Severity::Remark));
+        }
+    }
+    let found = check_with(MODEL_NAME, &with_tilted_legs(&level, 1.4), &InspectOptions::default());
+    let text = find(&found, FindingCode::UnlevelFoot).message.to_string();
+    assert!(text.ends_with("; with all coordinates at 0 by 1.8 mm"), "{text}");
+}
+
 /// A foot of 0.2 m that is tilted by 0.3 rad explains 60 mm, not a heel that is 300 mm higher than the others.
 #[test]
 fn a_tilt_explains_as_much_as_it_lifts() {
-    let tilted = ["r", "l"].iter().fold(UNEVEN_MODEL.to_owned(), |text, side| {
-        let joint = format!("<PinJoint name=\"leg_{side}\">");
-        let angle = format!(
-            "{joint}<coordinates><Coordinate name=\"angle_{side}\"><default_value>0.3</default_value></Coordinate></coordinates>"
-        );
-        text.replace(&joint, &angle)
-    });
+    let tilted = with_tilted_legs(UNEVEN_MODEL, 0.3);
     let heels_high = tilted.replace("<location>0.00190115 -0.01 ", "<location>0.00190115 0.29 ");
     for (text, is_accused) in [(tilted, false), (heels_high, true)] {
         let found = check_with(MODEL_NAME, &text, &InspectOptions::default());

@@ -25,6 +25,9 @@ pub struct SphereOverFloor {
     pub tilt_rad: f64,
     /// The centre of the sphere in ground, m.
     pub centre_m: DVec3,
+    /// Height of the sphere's bottom with all coordinates at 0, from the origin of ground along the normal, m; `None` if that pose is not
+    /// known.
+    pub height_at_zero_m: Option<f64>,
 }
 
 /// A contact of one sphere with one plane: the contact law of the force, and the gap to the plane.

@@ -152,7 +152,17 @@ impl<'j> StandingTree<'_, 'j> {
                 _ => 0.0,
             };
             let centre = heights_over_floor::centre_and_radius(self.model, sphere, pose)?;
-            let over_floor = |(gap_m, (centre_m, _))| SphereOverFloor { sphere, gap_m, tilt_rad, centre_m };
+            let at_zero = DefaultPose::at_zero(self.model);
+            let at_zero = heights_over_floor::centre_and_radius(self.model, sphere, at_zero).ok().flatten();
+            let height = |((centre, radius), normal): ((DVec3, f64), DVec3)| centre.dot(normal) - radius;
+            let height_at_zero_m = at_zero.zip(normal).map(height);
+            let over_floor = |(gap_m, (centre_m, _))| SphereOverFloor {
+                sphere,
+                gap_m,
+                tilt_rad,
+                centre_m,
+                height_at_zero_m,
+            };
             over.extend(least.zip(centre).map(over_floor));
         }
         let (lift, mass_kg) = self.lift(spheres, &planes, lifting);
