@@ -189,7 +189,14 @@ rule! { pub(super) ODD_RADIUS: OddRadius, Warning, Sizes;
 pub(super) fn find_odd_radius(sides: &BothSides<'_>) -> Option<Finding> {
     let extents = FootExtents::of(sides);
     let find = |(sphere, body, _): (_, &str, _)| {
-        find_odd_radius_of_sphere(sphere, sides.longest_bone_of_limb_m(body)?, extents.extent_m(body))
+        let bone_m = sides.longest_bone_of_limb_m(body)?;
+        let is_foot = extents.bones.is_some_and(|bones| bones.is_foot(body));
+        if is_foot || Side::of_name(body).is_some() {
+            return find_odd_radius_of_sphere(sphere, bone_m, extents.extent_m(body));
+        }
+        // A trunk is as large as the bones around it.
+        let around_m = sides.model.joint_distances().longest_around_body(body);
+        find_odd_radius_of_sphere(sphere, around_m.map_or(bone_m, |around_m| around_m.max(bone_m)), None)
     };
     let mut odd: Vec<OddRadius<'_>> = sides.spheres().filter_map(find).collect();
     odd.sort_by(|a, b| b.times_limit().total_cmp(&a.times_limit()));

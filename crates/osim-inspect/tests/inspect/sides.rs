@@ -354,6 +354,20 @@ fn radii_places_and_friction_in_other_units_are_named() {
     assert!(found.contains(&FindingCode::OddRadius), "{found:?}");
 }
 
+/// The hips are 0.16 m apart, and the thighs 0.4 m long.
+#[test]
+fn the_radii_of_a_seat_are_compared_with_the_thighs() {
+    for (radius, is_odd) in [("0.06", false), ("0.2", true)] {
+        let sits = ["heel_r", "heel_l"].iter().fold(HUMAN.to_owned(), |text, name| {
+            let text = with_edited_element(&text, (SPHERE_CLASS, name), RADIUS_TEXT, radius);
+            let calcn = format!("/bodyset/calcn_{}", &name[5..]);
+            with_edited_element(&text, (SPHERE_CLASS, name), &calcn, "/bodyset/pelvis")
+        });
+        let found = codes_of_findings(&Model::parse(sits).unwrap());
+        assert_eq!(found.contains(&FindingCode::OddRadius), is_odd, "{found:?}");
+    }
+}
+
 /// The names of the spheres in the fixture.
 const SPHERE_NAMES: [&str; 6] = ["heel_r", "ball_r", "toe_r", "heel_l", "ball_l", "toe_l"];
 
