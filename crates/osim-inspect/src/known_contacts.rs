@@ -19,6 +19,9 @@ const EXACT_TOLERANCE: f64 = 1e-6;
 /// Two values of contacts are similar, and give the same findings, if their relative difference is at most this. A radius that differs by
 /// 2 % changes other values by up to 6 %.
 const SIMILAR_TOLERANCE: f64 = 0.07;
+/// Radii, and the numbers on which a finding depends, are near the published ones under the published body if their relative differences are
+/// at most this.
+const NEAR_TOLERANCE: f64 = 0.25;
 
 /// Published contacts that a model has: from [`KnownContacts::find`].
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -72,7 +75,12 @@ impl KnownContacts {
         let likeness = ComparedNumbers::for_finding(code)?;
         let with_severity = entries().iter().filter(|entry| entry.severity(code).is_some());
         let contacts = contacts_of_sets(model, forces)?;
-        Self::find_similar_entry(&contacts, count, mass_kg, with_severity, &likeness)?.severity(code, mass_kg)
+        let similar = Self::find_similar_entry(&contacts, count, mass_kg, with_severity.clone(), &likeness);
+        similar.and_then(|known| known.severity(code, mass_kg)).or_else(|| {
+            let near = ComparedNumbers { tolerance: NEAR_TOLERANCE, ..likeness };
+            let mass_kg = mass_kg?;
+            with_severity.clone().find(|entry| entry.is_near(&contacts, mass_kg, &near))?.severity(code)
+        })
     }
 
     /// The entry of the table whose contacts these are, compared as `likeness` says, and the mass that they are made for.
@@ -260,23 +268,36 @@ impl KnownContactsEntry {
         published.iter().all(|published| {
             let alike = contacts.iter().filter(|contact| {
                 let radius = contact.radius_m / published.radius_m;
-                self.matches_values(contact, published, [mass_ratio, share], likeness)
+                self.matches_values(contact, published, [mass_ratio, share, radius], likeness)
                     && (!isometric || likeness.is_close(radius * radius * radius, mass_ratio))
             });
             alike.map(|contact| contact.spheres).sum::<usize>() * per_limb == published.spheres * total
         })
     }
 
-    /// Whether `contact` has the published values, scaled to `mass` times the published mass and `share` times as many spheres.
+    /// Whether each of `contacts` is near a contact of this entry, and each contact of the entry near one of them, under the published body.
+    /// No number follows a radius that somebody has changed.
+    fn is_near(&self, contacts: &[ContactOfSet], mass_kg: f64, likeness: &ComparedNumbers) -> bool {
+        let near = |contact: &ContactOfSet, published: &PublishedContact| {
+            likeness.is_close(contact.radius_m, published.radius_m)
+                && self.matches_values(contact, published, [1.0; 3], likeness)
+        };
+        let has_near = |published| contacts.iter().any(|contact| near(contact, published));
+        are_equal_masses(mass_kg, self.body_kg())
+            && contacts.iter().all(|contact| self.contacts.iter().any(|one| near(contact, one)))
+            && self.contacts.iter().all(has_near)
+    }
+
+    /// Whether `contact` has the published values, scaled to `mass` times the published mass, `share` times as many spheres and `radius` times
+    /// the published radius.
     fn matches_values(
         &self,
         contact: &ContactOfSet,
         published: &PublishedContact,
-        [mass, share]: [f64; 2],
+        [mass, share, radius]: [f64; 3],
         likeness: &ComparedNumbers,
     ) -> bool {
         let close = |value, expected| likeness.is_close(value, expected);
-        let radius = contact.radius_m / published.radius_m;
         // (10), (14), (C.2), (C.5), (C.10), and (8).
         let modulus = published.stiffness / SURFACE_OVER_COMPOSITE_MODULUS * mass / (radius * radius * share);
         let is_scaled = |values: [f64; 3], [c, d, v]: [f64; 3]| {
@@ -424,6 +445,34 @@ mod tests {
         // Scaled to this mass, they sink in as deep as published.
         let scaled = KnownContacts::new(entry, 620.0);
         assert_eq!(scaled.severity(FindingCode::SunkIn, Some(620.0)), Some(Severity::Remark));
+    }
+
+    #[test]
+    fn a_published_finding_stays_a_remark_near_the_published_numbers() {
+        let entry = entries().iter().find(|entry| entry.name == "dhondt2024").unwrap();
+        let is_near = |code, mass_kg, edit: fn(&mut ContactOfSet)| {
+            let published = entry.contacts.iter().map(|contact| ContactOfSet {
+                spheres: 2 * contact.spheres,
+                radius_m: contact.radius_m,
+                composite_modulus: contact.stiffness / SURFACE_OVER_COMPOSITE_MODULUS,
+                dissipation: contact.dissipation,
+                smoothing: contact.smoothing,
+                friction: entry.friction,
+                transition_velocity: entry.transition_velocity,
+            });
+            let mut contacts: Vec<ContactOfSet> = published.collect();
+            edit(&mut contacts[0]);
+            let likeness = ComparedNumbers::for_finding(code).unwrap();
+            entry.is_near(&contacts, mass_kg, &ComparedNumbers { tolerance: NEAR_TOLERANCE, ..likeness })
+        };
+        let (constant, before) = (FindingCode::LargeConstantIndentation, FindingCode::ForceBeforeContact);
+        assert!(is_near(constant, 62.0, |heel| heel.radius_m *= 1.1));
+        assert!(is_near(constant, 62.0, |heel| heel.friction[0] = 0.2));
+        assert!(is_near(before, 62.0, |heel| heel.composite_modulus *= 1.2));
+        // Half the radius, ten times the stiffness or the mass is something else.
+        assert!(!is_near(constant, 62.0, |heel| heel.radius_m *= 0.5));
+        assert!(!is_near(before, 62.0, |heel| heel.composite_modulus *= 10.0));
+        assert!(!is_near(constant, 620.0, |_| ()));
     }
 
     #[test]

@@ -277,11 +277,14 @@ fn common_factors(anatomy: &Anatomy, body: &str) -> Option<[f64; 3]> {
 /// Whether the name or the meshes of a body are those of a foot.
 fn is_foot(anatomy: &Anatomy, body: &str) -> bool {
     // The meshes of a hand have phalanges, too.
-    if body.to_lowercase().contains("hand") {
-        return false;
-    }
     let names = anatomy.meshes.get(body).into_iter().flat_map(BTreeMap::keys).map(String::as_str);
-    names.chain([body]).map(str::to_lowercase).any(|name| FOOT_WORDS.iter().any(|word| name.contains(word)))
+    !body.to_lowercase().contains("hand") && names.chain([body]).any(is_named_after_foot)
+}
+
+/// Whether the name of a body or of a mesh has a word for a foot.
+pub(crate) fn is_named_after_foot(name: &str) -> bool {
+    let name = name.to_lowercase();
+    FOOT_WORDS.iter().any(|word| name.contains(word))
 }
 
 /// The scale factors of the mesh of OpenSim's bone `bone`, if `body` has this mesh.

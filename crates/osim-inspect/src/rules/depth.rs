@@ -6,6 +6,7 @@ use osim_model::messages::{Input, Phrase, Verb, four_significant, phrase, readab
 use osim_model::{Example, Finding, Repair, Severity, are_equal_masses};
 use osim_requests::Request;
 
+use crate::reach::is_named_after_foot;
 use crate::rules::figure_check::{FigureCheck, UP_TO_CENTRE_RADII, value_beyond_limit};
 use crate::rules::standing::{UnevenLimb, bottoms_by_path, level_feet};
 use crate::{Figure, FindingWithRemedy, SphereFigures};
@@ -24,11 +25,17 @@ pub(super) fn find_sunk_in_spheres(check: &FigureCheck<'_>) -> Option<FindingWit
     sunk_in_level(check).or_else(|| sunk_in_at_own_heights(check))
 }
 
-/// Finds spheres that sink in up to their centres even if all bottoms are level. No body stands on a wall.
+/// Finds spheres that sink in up to their centres even if all bottoms are level. No body stands on a wall, or, if it has feet, on one hand.
 fn sunk_in_level(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> {
-    let bottoms = check.inspected.standing.iter().flat_map(|body| &body.bottoms);
-    let on_floors: Vec<&str> = bottoms.map(|bottom| bottom.path.as_str()).collect();
-    let carries = |sphere: &SphereFigures| on_floors.is_empty() || on_floors.contains(&sphere.path.as_str());
+    let on_floors = bottoms_by_path(check);
+    let spheres = check.inspected.spheres.iter();
+    let on_feet = spheres.filter(|one| one.body.as_deref().is_some_and(is_named_after_foot));
+    let on_feet: Vec<&str> = on_feet.map(|one| one.path.as_str()).collect();
+    let carries = |sphere: &SphereFigures| {
+        let path = sphere.path.as_str();
+        (on_floors.is_empty() || on_floors.contains_key(path))
+            && (on_feet.is_empty() || on_feet.contains(&path))
+    };
     let affected = check.spheres_with(|sphere| {
         sphere.value(Figure::Indentation).filter(|&x| x >= UP_TO_CENTRE_RADII && carries(sphere))
     })?;

@@ -3,7 +3,7 @@
 use osim_model::{ElementId, ModelJoint, Side};
 
 use super::damages::DamageKind;
-use super::published::{Edited, FRAME, Published, SPHERE, is_any, is_left};
+use super::published::{Edited, FRAME, Published, SPHERE, is_any, is_heel, is_left};
 use super::unread::{is_calcn_r, moved};
 
 /// Kinds of damage that `kinds.md` does not list: `check` reports each as an error or a warning, the last one as a remark.
@@ -40,6 +40,28 @@ pub const SKELETON_DAMAGES: &[DamageKind] = &[
 pub fn foot_on_ground(m: &Published) -> Edited {
     let joint = m.model.joints().iter().find(|joint| joint.child.as_deref().is_some_and(is_calcn_r))?;
     with_parent(m, joint, "ground")
+}
+
+/// The model whose hands have copies of its heels, and of their forces.
+pub fn hands_on_the_floor(m: &Published) -> Edited {
+    let mut copies = Vec::new();
+    for heel in m.model.spheres().iter().filter(|sphere| is_heel(&sphere.name)) {
+        let body = heel.body.as_deref()?;
+        let hand = m.body(&["hand"], body)?;
+        let force = m.model.forces().iter().find(|force| force.spheres().contains(&heel.id))?;
+        for element in [heel.element(), force.element()] {
+            let span = m.model.document().tree().span(element);
+            let copy = m.text[span.clone()].replace(&force.name, &format!("of_{hand}"));
+            copies.push((span.end, copy.replace(&heel.name, &format!("on_{hand}")).replace(body, &hand)));
+        }
+    }
+    copies.sort_by_key(|(end, _)| *end);
+    (!copies.is_empty()).then(|| {
+        copies.into_iter().rev().fold(m.text.clone(), |mut text, (end, copy)| {
+            text.insert_str(end, &copy);
+            text
+        })
+    })
 }
 
 /// The model whose root moves only up and down, as a hopper.
