@@ -1,10 +1,12 @@
-//! How far spheres reach along the bones of a foot, and whether that is further than in any published model. Two measures are used:
+//! How far spheres reach along the bones of a foot, and whether that is further than in any published model. Three measures are used:
 //!
 //! - towards the next joint: the sphere's centre is projected on the line from its body's origin to the body's farthest next joint, and
 //!   divided by their distance. Published models reach 1.341. A joint that is welded does not end the bone.
 //! - along the foot: where the foremost centre is between the heel (0) and the tip of the toes (1) of OpenSim's standard foot, by the
 //!   extents of the bones' meshes. Published models have 0.691 to 1.007. If the model has no toes, their tip is where toes of the foot's size
 //!   would end, because the foot may carry their spheres.
+//! - below the ankle: where the bottoms of all spheres of OpenSim's standard foot end, between its ankle (0) and the sole of its bones (1).
+//!   Published models have 1.00 to 1.98; a shoe adds 0.8.
 
 use std::collections::BTreeMap;
 use std::sync::OnceLock;
@@ -21,6 +23,8 @@ const LARGEST_TOWARDS_JOINT: f64 = 1.4;
 const LEAST_TOWARDS_JOINT: f64 = -0.3;
 /// Usual reach of the foremost sphere along the foot, between heel (0) and tip of the toes (1).
 const USUAL_ALONG_FOOT: std::ops::RangeInclusive<f64> = 0.65..=1.05;
+/// Usual reach of bottoms below the ankle, between the ankle (0) and the sole of the bones (1).
+const USUAL_BELOW_ANKLE: std::ops::RangeInclusive<f64> = 0.75..=2.85;
 
 /// How far one sphere reaches, towards the next joint or along the foot.
 #[derive(Debug, Clone, PartialEq)]
@@ -34,11 +38,14 @@ pub(crate) struct Reach {
     most: f64,
 }
 
-/// The length to which the reach of a sphere is compared: the distance to the next joint, or the length of the foot.
+/// The length to which the reach of a sphere is compared: the distance to the next joint, the length of the foot, or the height of the
+/// ankle over the sole of the bones. Only if the highest bottom of a foot is too low, or the lowest too high, all its spheres were moved.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum ReachMeasure {
     TowardsJoint,
     AlongFoot,
+    HighestBelowAnkle,
+    LowestBelowAnkle,
 }
 
 impl Reach {
@@ -47,6 +54,8 @@ impl Reach {
         match self.measure {
             ReachMeasure::TowardsJoint => self.value > self.most || self.value < LEAST_TOWARDS_JOINT,
             ReachMeasure::AlongFoot => self.value < *USUAL_ALONG_FOOT.start() || self.value > self.most,
+            ReachMeasure::HighestBelowAnkle => self.value > self.most,
+            ReachMeasure::LowestBelowAnkle => self.value < *USUAL_BELOW_ANKLE.start(),
         }
     }
 
@@ -65,14 +74,23 @@ impl Reach {
             ReachMeasure::AlongFoot => format!(
                 "is the foremost of {towards} and lies at {value} of the foot's length, published ones at 0.69 to 1.01"
             ),
+            ReachMeasure::HighestBelowAnkle | ReachMeasure::LowestBelowAnkle => {
+                let which = if self.measure == ReachMeasure::LowestBelowAnkle { "lowest" } else { "highest" };
+                format!(
+                    "is the {which} of {towards} and ends at {value} of the way from the ankle down to the sole of the bones, published ones \
+                     at 1 to 1.98"
+                )
+            }
         }
     }
 }
 
-/// The reach of each foot sphere towards the next joint, and of the foremost sphere along each foot.
+/// The reach of each foot sphere towards the next joint, of the foremost sphere along each foot, and of the highest and the lowest bottom
+/// below each ankle.
 pub(crate) fn reaches(model: &Model, bones: &BodyBones) -> Vec<Reach> {
     let mut reaches = Vec::new();
     let mut foremost: BTreeMap<String, (SphereId, f64, f64)> = BTreeMap::new();
+    let mut below_ankle: BTreeMap<String, [(SphereId, f64); 2]> = BTreeMap::new();
     for id in model.loaded_spheres(&model.force_ids()) {
         let (Some(sphere), Some(centre)) = (model.sphere(id), model.centre_m(id)) else { continue };
         let Some(body) = sphere.body.as_deref().filter(|body| bones.is_foot(body)) else { continue };
@@ -91,11 +109,22 @@ pub(crate) fn reaches(model: &Model, bones: &BodyBones) -> Vec<Reach> {
         let as_toes = || {
             let joint = bones.joint_above(body)?;
             let (hind, foot) = as_hind_part(&joint.parent)?;
-            Some((hind, foot, joint.in_parent_m[0] - joint.in_child_m[0]))
+            Some((hind, foot, joint.in_parent_m - joint.in_child_m))
         };
-        let foot = as_hind_part(body).map(|(hind, foot)| (hind, foot, 0.0)).or_else(as_toes);
-        if let Some((hind, StandardFoot { heel, tip, longest_tip }, origin)) = foot {
-            let along = (origin + centre[0] - heel) / (tip - heel);
+        let foot = as_hind_part(body).map(|(hind, foot)| (hind, foot, DVec3::ZERO)).or_else(as_toes);
+        if let Some((hind, StandardFoot { heel, tip, longest_tip, ankle_to_sole }, origin)) = foot {
+            let place = origin + centre;
+            if let Some((ankle, _)) = bones.ankle_and_forward(&hind) {
+                let below = (ankle[1] - place[1] + radius_m) / ankle_to_sole;
+                let [highest, lowest] = below_ankle.entry(hind.clone()).or_insert([(id, below); 2]);
+                if below < highest.1 {
+                    *highest = (id, below);
+                }
+                if below > lowest.1 {
+                    *lowest = (id, below);
+                }
+            }
+            let along = (place[0] - heel) / (tip - heel);
             let most = USUAL_ALONG_FOOT.end() * (longest_tip - heel) / (tip - heel);
             let first = foremost.entry(hind).or_insert((id, along, most));
             if along > first.1 {
@@ -110,6 +139,12 @@ pub(crate) fn reaches(model: &Model, bones: &BodyBones) -> Vec<Reach> {
         measure: ReachMeasure::AlongFoot,
         most,
     }));
+    reaches.extend(below_ankle.into_iter().flat_map(|(towards, [highest, lowest])| {
+        let most = *USUAL_BELOW_ANKLE.end();
+        let reach =
+            |(sphere, value), measure| Reach { sphere, value, towards: towards.clone(), measure, most };
+        [reach(highest, ReachMeasure::HighestBelowAnkle), reach(lowest, ReachMeasure::LowestBelowAnkle)]
+    }));
     reaches
 }
 
@@ -121,6 +156,9 @@ const HEEL_OF_OPENSIM_FOOT_X_M: f64 = -0.0098;
 const TIP_OF_OPENSIM_FOOT_X_M: f64 = 0.183817;
 /// The tip of OpenSim's toes: the largest x of `r_bofoot.vtp` in OpenSim's Geometry at factor 1, m.
 const TIP_OF_OPENSIM_TOES_X_M: f64 = 0.076918;
+/// The height of the ankle over the sole of OpenSim's foot at factor 1, m: 0.04195 over the origin of the calcaneus, and the least y of
+/// `r_foot.vtp`, -0.009839.
+const ANKLE_TO_SOLE_OF_OPENSIM_FOOT_M: f64 = 0.051789;
 /// Place of the toe joint on the x axis of the foot in OpenSim's models, at factor 1, m.
 const TOES_BEGIN_X_M: f64 = 0.1788;
 
@@ -155,6 +193,8 @@ struct StandardFoot {
     tip: f64,
     /// The tip of a foot with toes. It differs from `tip` only in a model without toes.
     longest_tip: f64,
+    /// The height of the ankle over the sole of the bones, m.
+    ankle_to_sole: f64,
 }
 
 impl BodyBones {
@@ -299,7 +339,9 @@ fn factors_of_opensim_bone(anatomy: &Anatomy, body: &str, bone: &str) -> Option<
 
 /// The ends of OpenSim's standard foot on `body`, if the body has the mesh of its hind part.
 fn standard_foot(anatomy: &Anatomy, body: &str) -> Option<StandardFoot> {
-    let [foot, ..] = factors_of_opensim_bone(anatomy, body, "foot")?;
+    let [foot, height, _] = factors_of_opensim_bone(anatomy, body, "foot")?;
+    let is_plausible = PLAUSIBLE_FACTORS.contains(&height);
+    let ankle_to_sole = if is_plausible { height * ANKLE_TO_SOLE_OF_OPENSIM_FOOT_M } else { f64::NAN };
     let mut next = anatomy.joints_below(body);
     let toes =
         next.find_map(|joint| Some((joint, factors_of_opensim_bone(anatomy, &joint.child, "bofoot")?)));
@@ -307,12 +349,13 @@ fn standard_foot(anatomy: &Anatomy, body: &str) -> Option<StandardFoot> {
     Some(match toes {
         Some((joint, [toes, ..])) => {
             let tip = joint.in_parent_m[0] - joint.in_child_m[0] + toes * TIP_OF_OPENSIM_TOES_X_M;
-            StandardFoot { heel, tip, longest_tip: tip }
+            StandardFoot { heel, tip, longest_tip: tip, ankle_to_sole }
         }
         None => StandardFoot {
             heel,
             tip: foot * TIP_OF_OPENSIM_FOOT_X_M,
             longest_tip: foot * (TOES_BEGIN_X_M + TIP_OF_OPENSIM_TOES_X_M),
+            ankle_to_sole,
         },
     })
 }
@@ -329,8 +372,9 @@ pub(crate) fn same_size(a: [f64; 3], b: [f64; 3]) -> bool {
 mod tests {
     use super::*;
 
-    /// The largest reach towards a joint, and the least and largest reach along the foot, in the model of the corpus with these file names.
-    fn measured_reaches(names: &[&str]) -> Option<(f64, f64, f64)> {
+    /// The largest reach towards a joint, the least and largest reach along the foot, and the reach of the highest and the lowest bottom below
+    /// the ankle, in the model of the corpus with these file names.
+    fn measured_reaches(names: &[&str]) -> Option<[f64; 5]> {
         use osim_model::files::{CompanionPaths, InMemory, ModelFiles};
         let folder = std::env::var_os("OSIM_CORPUS").map(std::path::PathBuf::from)?;
         let read = |name: &str| std::fs::read(folder.join(name)).unwrap();
@@ -347,11 +391,13 @@ mod tests {
         let bones = BodyBones::of(&opened.model).unwrap();
         let reaches = reaches(&opened.model, bones);
         let values = |measure| reaches.iter().filter(move |one| one.measure == measure).map(|one| one.value);
-        Some((
+        Some([
             values(ReachMeasure::TowardsJoint).fold(f64::NAN, f64::max),
             values(ReachMeasure::AlongFoot).fold(f64::NAN, f64::min),
             values(ReachMeasure::AlongFoot).fold(f64::NAN, f64::max),
-        ))
+            values(ReachMeasure::HighestBelowAnkle).fold(f64::NAN, f64::max),
+            values(ReachMeasure::LowestBelowAnkle).fold(f64::NAN, f64::max),
+        ])
     }
 
     /// Expected values were computed with NumPy from OpenSim 4.6's frames and the meshes' extents, with four digits.
@@ -363,16 +409,16 @@ mod tests {
             "v40600_moco_3d_walking_model_without_contacts.osim",
         ];
         let none = f64::NAN;
-        for (names, j, least, most) in [
-            (&["v40000_toy_landing.osim"][..], 0.0551, 0.6915, 0.6915),
-            (&["v40000_scone_h0914m.osim"], none, 1.0061, 1.0061),
-            (&["v30000_scone_h0914m.osim"], none, 1.0061, 1.0061),
-            (&["v40000_moco_2d_gait.osim"], 1.0868, 0.7680, 0.7680),
-            (&["v40000_falisse_2022_human.osim"], 0.9075, 0.9576, 0.9576),
-            (&["v30000_osim_rl_gait9dof18musc_crlf.osim"], 0.1653, 0.8233, 0.8233),
-            (&["v20302_dynamic_jumper.osim"], 1.0325, 0.9777, 0.9777),
-            (&["v40000_dhondt_2024_3seg_human.osim"], 1.0249, none, none),
-            (&moco, 1.1374, 0.9551, 0.9551),
+        for (names, expected) in [
+            (&["v40000_toy_landing.osim"][..], [0.0551, 0.6915, 0.6915, 1.0417, 1.1962]),
+            (&["v40000_scone_h0914m.osim"], [none, 1.0061, 1.0061, 1.0997, 1.0997]),
+            (&["v30000_scone_h0914m.osim"], [none, 1.0061, 1.0061, 1.0997, 1.0997]),
+            (&["v40000_moco_2d_gait.osim"], [1.0868, 0.7680, 0.7680, 1.3290, 1.4577]),
+            (&["v40000_falisse_2022_human.osim"], [0.9075, 0.9576, 0.9576, 1.6974, 1.7360]),
+            (&["v30000_osim_rl_gait9dof18musc_crlf.osim"], [0.1653, 0.8233, 0.8233, 1.0031, 1.0417]),
+            (&["v20302_dynamic_jumper.osim"], [1.0325, 0.9777, 0.9777, 1.0041, 1.0041]),
+            (&["v40000_dhondt_2024_3seg_human.osim"], [1.0249, none, none, none, none]),
+            (&moco, [1.1374, 0.9551, 0.9551, 1.5780, 1.6126]),
         ] {
             let Some(found) = measured_reaches(names) else {
                 eprintln!(
@@ -380,7 +426,7 @@ mod tests {
                 );
                 return;
             };
-            for (value, expected) in [(found.0, j), (found.1, least), (found.2, most)] {
+            for (value, expected) in found.into_iter().zip(expected) {
                 let both_absent = value.is_nan() && expected.is_nan();
                 assert!(
                     both_absent || (value - expected).abs() < 6e-5,
