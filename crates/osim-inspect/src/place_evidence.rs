@@ -48,7 +48,7 @@ impl PlaceEvidence {
         }
         let Some(bones) = bones else { return Self::Unscaled };
         match find_layout(model, bones) {
-            Some(LayoutMatch::AsPublished) => return Self::Right,
+            Some(LayoutMatch::AsPublished { .. }) => return Self::Right,
             Some(other) => return Self::OtherSize(other),
             None => {}
         }
@@ -147,8 +147,8 @@ struct DigestedCentres<'m> {
 /// How the bones of a model fit the published layout whose places its spheres have.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum LayoutMatch {
-    /// The bones have the published size, or the spheres moved as the bones grew.
-    AsPublished,
+    /// The bones have the published size, or the spheres moved as the bones grew, to `volume` times the published volume.
+    AsPublished { volume: f64 },
     /// The bones have another size than published. `growth` is that of one of the bones, along x, y and z.
     OtherSize { title: &'static str, body: String, growth: [f64; 3] },
 }
@@ -157,6 +157,14 @@ pub(crate) enum LayoutMatch {
 fn find_layout(model: &Model, bones: &BodyBones) -> Option<LayoutMatch> {
     let list = sphere_centres(model)?;
     LayoutCache::of(model, &list).layout.get_or_init(|| match_layout(list, bones)).clone()
+}
+
+/// The volume of the bones over that of the published ones, if the spheres have the places of a published layout on them.
+pub(crate) fn volume_of_published_bones(model: &Model) -> Option<f64> {
+    match find_layout(model, BodyBones::of(model)?)? {
+        LayoutMatch::AsPublished { volume } => Some(volume),
+        LayoutMatch::OtherSize { .. } => None,
+    }
 }
 
 /// The layouts that were found for one list of sphere centres. They are kept with the bodies of a model, because most changes do not move
@@ -186,8 +194,9 @@ impl LayoutCache {
 fn match_layout(list: Vec<SphereCentre<'_>>, bones: &BodyBones) -> Option<LayoutMatch> {
     let centres = DigestedCentres { list, ..DigestedCentres::default() };
     let Some(layout) = published_layouts().iter().find(|layout| layout.has_places(&centres)) else {
-        let followed = published_layouts().iter().any(|layout| layout.matches_grown_bones(&centres, bones));
-        return followed.then_some(LayoutMatch::AsPublished);
+        let mut layouts = published_layouts().iter();
+        let volume = layouts.find_map(|layout| layout.volume_of_grown_bones(&centres, bones));
+        return volume.map(|volume| LayoutMatch::AsPublished { volume });
     };
     let bodies: BTreeSet<&str> = centres.list.iter().map(|place| place.body).collect();
     if bodies.iter().all(|body| bones.size(body).is_none() && bones.length_by_toe_joint(body).is_none()) {
@@ -202,7 +211,7 @@ fn match_layout(list: Vec<SphereCentre<'_>>, bones: &BodyBones) -> Option<Layout
     // If the bones have none of the published sizes, the difference from the first is reported.
     let differences: Option<Vec<_>> = layout.sizes.iter().map(differs).collect();
     let first = differences.and_then(|differences| differences.into_iter().next());
-    let Some((body, growth)) = first else { return Some(LayoutMatch::AsPublished) };
+    let Some((body, growth)) = first else { return Some(LayoutMatch::AsPublished { volume: 1.0 }) };
     Some(LayoutMatch::OtherSize { title: &layout.title, body, growth })
 }
 
@@ -245,7 +254,7 @@ fn layout_with_centres(list: Vec<SphereCentre<'_>>, bones: &BodyBones) -> Option
     let centres = DigestedCentres { list, ..DigestedCentres::default() };
     published_layouts()
         .iter()
-        .find(|layout| layout.has_places(&centres) || layout.matches_grown_bones(&centres, bones))
+        .find(|layout| layout.has_places(&centres) || layout.volume_of_grown_bones(&centres, bones).is_some())
 }
 
 /// Centres of the spheres that carry weight; `None` if the place of a sphere is not known, or no sphere carries weight.
@@ -279,16 +288,20 @@ impl PublishedLayout {
         }
     }
 
-    /// Whether each centre is the published place times the factor by which the bone of the sphere is larger than published.
-    fn matches_grown_bones(&self, centres: &DigestedCentres<'_>, bones: &BodyBones) -> bool {
-        self.sizes.iter().any(|published| {
+    /// The volume of a bone over the published volume, if each centre is the published place times the factor by which the bone of the sphere
+    /// is larger than published.
+    fn volume_of_grown_bones(&self, centres: &DigestedCentres<'_>, bones: &BodyBones) -> Option<f64> {
+        self.sizes.iter().find_map(|published| {
+            let mut volume = 1.0;
             let back = centres.list.iter().map(|&SphereCentre { body, at_m }| {
                 let (here, published) = (bones.size(body)?, published.get(published_name(body))?);
+                volume = here.iter().product::<f64>() / published.iter().product::<f64>();
                 let at_m = std::array::from_fn(|axis| at_m[axis] * (published[axis] / here[axis]));
                 Some(SphereCentre { body, at_m })
             });
             let back: Option<Vec<SphereCentre<'_>>> = back.collect();
-            back.is_some_and(|back| self.matches(&back, |own| centres.rescaled_have_digest(&back, own)))
+            let back = back?;
+            self.matches(&back, |own| centres.rescaled_have_digest(&back, own)).then_some(volume)
         })
     }
 }

@@ -13,6 +13,7 @@ use osim_model::{
     YesQuestion, are_equal_masses,
 };
 use osim_requests::options::{AnswerOptions, ForceOptions, MassOptions};
+use crate::place_evidence::volume_of_published_bones;
 use osim_requests::{Kilograms, Request, RescaleRequest};
 
 use crate::findings::check_result::sort_findings;
@@ -87,7 +88,8 @@ fn collect_findings(
     let place_findings = places.findings(model, &remedies);
     let mismatch = MassMismatch::of_note(model, &options.masses);
     // The command that moves misplaced spheres also scales their contacts to the mass.
-    let another_mass = contacts::find_contacts_of_another_mass(inspected, &remedies, places.are_right());
+    let (are_right, volume) = (places.are_right(), volume_of_published_bones(model));
+    let another_mass = contacts::find_contacts_of_another_mass(inspected, &remedies, are_right, volume);
     // A body without a joint may be a copy, whose mass counts twice.
     let another_mass = another_mass.filter(|_| !has_loose_body);
     // Until mass, gravity and places are right, commands about single numbers would be wrong afterwards.

@@ -1,6 +1,6 @@
 //! Rules about which contacts a model has, for which mass they were made, and who published them.
 
-use osim_model::messages::{Input, Phrase, counted, four_significant, phrase, readable};
+use osim_model::messages::{Input, Phrase, counted, four_significant, phrase, readable, three_significant};
 use osim_model::{
     Example, Fault, FaultKind, Finding, MassRequest, MassSource, Model, Pattern, Repair, Selection, Severity,
     are_equal_masses,
@@ -142,12 +142,16 @@ rule! { pub(crate) CONTACTS_OF_ANOTHER_MASS: ContactsOfAnotherMass, Warning, Mas
         bad: "<mass>88</mass>" },
 }
 
+/// A body is this many times as dense as the published one, or as light, at most: more is another unit, or a mass that was mistyped.
+const LARGEST_DENSITY_RATIO: f64 = 2.5;
+
 /// Finds published contacts under a body of another mass, unless the note or the caller gives the mass of the contacts. The remedy scales
-/// the contacts, if the places of the spheres are right.
+/// the contacts, if the places of the spheres are right and the mass fits the bones: `bone_volume` is their volume over the published one.
 pub(crate) fn find_contacts_of_another_mass(
     inspected: &Inspection,
     remedies: &Remedies<'_>,
     places_are_right: bool,
+    bone_volume: Option<f64>,
 ) -> Option<FindingWithRemedy> {
     let mass = inspected.mass_kg?;
     let known = inspected.known_contacts?;
@@ -166,11 +170,20 @@ pub(crate) fn find_contacts_of_another_mass(
     let bottoms = inspected.standing.iter().flat_map(|body| &body.bottoms);
     let largest_m = bottoms.map(|bottom| bottom.radius_m).fold(0.0, f64::max);
     let level = largest_m * ((mass / made_for).cbrt() - 1.0).abs() > LARGE_MOVE_OF_SOLES_M;
-    let remedy = places_are_right.then(|| scale_to_body(remedies, [made_for, mass], level)).flatten();
+    let of_bones_kg = bone_volume.map_or(mass, |volume| made_for * volume);
+    let fits_bones = (mass / of_bones_kg).ln().abs() <= LARGEST_DENSITY_RATIO.ln();
+    let remedy =
+        (places_are_right && fits_bones).then(|| scale_to_body(remedies, [made_for, mass], level)).flatten();
     let measure = format!("{} for {} kg", readable(made_for), four_significant(mass));
     let mut finding =
         Finding::new(&CONTACTS_OF_ANOTHER_MASS, text).with_measure((mass / made_for).ln().abs(), measure);
-    if inspected.placement.is_some() {
+    if !fits_bones {
+        finding.advice = format!(
+            "Correct the masses of the bodies: the bones are those of a body of about {} kg",
+            three_significant(of_bones_kg)
+        )
+        .into();
+    } else if inspected.placement.is_some() {
         // The caller named the model that was scaled.
         finding.advice =
             "Scale the contacts from the mass they were made for to the mass of this body".into();

@@ -173,7 +173,7 @@ fn find_misplaced_by_file_alone(evidence: &PlaceEvidence, model: &Model) -> Opti
             ];
             Some(Finding::new(&SPHERES_NOT_COMPARED, text))
         }
-        PlaceEvidence::OtherSize(LayoutMatch::AsPublished)
+        PlaceEvidence::OtherSize(LayoutMatch::AsPublished { .. })
         | PlaceEvidence::Right
         | PlaceEvidence::Unscaled => None,
     }

@@ -53,12 +53,15 @@ pub(super) fn find_uneven_bottoms(check: &FigureCheck<'_>) -> Option<FindingWith
     worst.is_warning().then(|| FindingWithRemedy::new(worst.finding(&UNEVEN_BOTTOMS), level_feet(check)))
 }
 
-/// The remedy that makes bottoms level; `None` if a limb's differ by more than a radius. Radii move bottoms by less, so that a place is
-/// wrong, and to level the foot would hide it.
+/// The largest part of the larger radius by which the bottoms of spheres whose radii differ by up to four times are apart.
+const MOST_OF_RADIUS: f64 = 0.75;
+
+/// The remedy that makes bottoms level; `None` if a limb's differ by more than radii explain: a place is wrong, and to level the foot would
+/// hide it.
 pub(super) fn level_feet(check: &FigureCheck<'_>) -> Option<Request> {
     let UnevenLimb { lowest, highest, .. } = UnevenLimb::worst(check)?;
-    let may_be_radii = highest.height_m - lowest.height_m <= lowest.radius_m.max(highest.radius_m);
-    may_be_radii.then(|| check.remedies.level_feet()).flatten()
+    let most_m = MOST_OF_RADIUS * lowest.radius_m.max(highest.radius_m);
+    (highest.height_m - lowest.height_m <= most_m).then(|| check.remedies.level_feet()).flatten()
 }
 
 /// The bottoms of all spheres by their paths.

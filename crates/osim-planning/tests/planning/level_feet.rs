@@ -90,11 +90,15 @@ fn an_uneven_foot_has_a_remedy_after_which_nothing_is_wrong() {
 #[test]
 fn bottoms_that_radii_do_not_explain_are_not_made_level() {
     let heels_low = UNEVEN_MODEL.replace("<location>0.00190115 -0.01 ", "<location>0.00190115 -0.07 ");
+    let heels_lower = UNEVEN_MODEL.replace("<location>0.00190115 -0.01 ", "<location>0.00190115 -0.036 ");
     let one_side =
         UNEVEN_MODEL.replace("<location>0.06 -0.03 -0.01876031", "<location>0.06 -0.01 -0.01876031");
     let one_side = one_side.replace("<location>0.045 -0.03 0.06185696", "<location>0.045 -0.01 0.06185696");
-    for (text, accused) in [(heels_low, FindingCode::UnevenBottoms), (one_side, FindingCode::LeftRightPlaces)]
-    {
+    for (text, accused) in [
+        (heels_low, FindingCode::UnevenBottoms),
+        (heels_lower, FindingCode::UnevenBottoms),
+        (one_side, FindingCode::LeftRightPlaces),
+    ] {
         assert_ne!(text, UNEVEN_MODEL);
         let found = check_with(MODEL_NAME, &text, &InspectOptions::default());
         assert!(has(&found, FindingCode::UnevenBottoms) && has(&found, accused), "{:?}", found.findings);

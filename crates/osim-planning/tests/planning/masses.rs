@@ -1,6 +1,6 @@
 //! Contacts that are made for another mass than the mass of their body.
 
-use crate::checks::{check_text, check_with, codes, has, message, remedy};
+use crate::checks::{check_text, check_with, codes, find, has, message, remedy};
 use crate::feet::{SOLE, SmoothContact, foot};
 use osim_inspect::{InspectOptions, MassMismatch};
 use osim_model::{FindingCode, MassRequest, Model, Note, Scope, Step};
@@ -30,6 +30,19 @@ fn a_rescaling_that_moves_soles_by_more_than_5_mm_keeps_them() {
         let proposed = remedy(&check_text(&text), FindingCode::ContactsOfAnotherMass);
         assert_eq!(proposed["verb"], "rescale", "{trunk}");
         assert_eq!(proposed.get("level").and_then(serde_json::Value::as_bool), level, "{trunk}");
+    }
+}
+
+/// The bones are those of 62 kg: at 152 kg the body is 2.45 times as dense.
+#[test]
+fn contacts_are_not_scaled_to_a_mass_that_no_such_body_has() {
+    for (trunk, is_scaled) in [("<mass>150<", true), ("<mass>618<", false), ("<mass>10<", false)] {
+        let found = check_text(&MODEL_FOR_OTHER_MASS.replace("<mass>88<", trunk));
+        let finding = find(&found, FindingCode::ContactsOfAnotherMass);
+        assert_eq!(finding.remedy.is_some(), is_scaled, "{trunk}");
+        let advice = finding.advice.to_string();
+        let expected = "Correct the masses of the bodies: the bones are those of a body of about 62 kg";
+        assert_eq!(advice == expected, !is_scaled, "{advice}");
     }
 }
 
