@@ -9,6 +9,7 @@
 //!   Published models have 1.00 to 1.98; a shoe adds 0.8.
 
 use std::collections::BTreeMap;
+use std::ops::RangeInclusive;
 use std::sync::OnceLock;
 
 use foldhash::{HashMap, HashMapExt};
@@ -22,9 +23,11 @@ const LARGEST_TOWARDS_JOINT: f64 = 1.4;
 /// heel than the origin of their body.
 const LEAST_TOWARDS_JOINT: f64 = -0.3;
 /// Usual reach of the foremost sphere along the foot, between heel (0) and tip of the toes (1).
-const USUAL_ALONG_FOOT: std::ops::RangeInclusive<f64> = 0.65..=1.05;
-/// Usual reach of bottoms below the ankle, between the ankle (0) and the sole of the bones (1).
-const USUAL_BELOW_ANKLE: std::ops::RangeInclusive<f64> = 0.75..=2.85;
+const USUAL_ALONG_FOOT: RangeInclusive<f64> = 0.65..=1.05;
+/// Usual reach of a foot's bottoms below the ankle, between the ankle (0) and the sole of the bones (1).
+const USUAL_BELOW_ANKLE: RangeInclusive<f64> = 0.75..=2.85;
+/// The middle of this range.
+const MIDDLE_BELOW_ANKLE: f64 = 1.8;
 
 /// How far one sphere reaches, towards the next joint or along the foot.
 #[derive(Debug, Clone, PartialEq)]
@@ -34,29 +37,23 @@ pub(crate) struct Reach {
     /// Name of the next joint, or of the body that is the hind part of the foot.
     pub towards: String,
     measure: ReachMeasure,
-    /// The largest usual reach for this sphere.
-    most: f64,
+    /// The usual reach of this sphere.
+    usual: RangeInclusive<f64>,
 }
 
 /// The length to which the reach of a sphere is compared: the distance to the next joint, the length of the foot, or the height of the
-/// ankle over the sole of the bones. Only if the highest bottom of a foot is too low, or the lowest too high, all its spheres were moved.
+/// ankle over the sole of the bones.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum ReachMeasure {
     TowardsJoint,
     AlongFoot,
-    HighestBelowAnkle,
-    LowestBelowAnkle,
+    BelowAnkle,
 }
 
 impl Reach {
     /// Whether no published sphere reaches this far.
     pub(crate) fn is_odd(&self) -> bool {
-        match self.measure {
-            ReachMeasure::TowardsJoint => self.value > self.most || self.value < LEAST_TOWARDS_JOINT,
-            ReachMeasure::AlongFoot => self.value < *USUAL_ALONG_FOOT.start() || self.value > self.most,
-            ReachMeasure::HighestBelowAnkle => self.value > self.most,
-            ReachMeasure::LowestBelowAnkle => self.value < *USUAL_BELOW_ANKLE.start(),
-        }
+        self.value < *self.usual.start() || self.value > *self.usual.end()
     }
 
     /// The reach in words, to follow the name of the sphere in a sentence.
@@ -74,23 +71,19 @@ impl Reach {
             ReachMeasure::AlongFoot => format!(
                 "is the foremost of {towards} and lies at {value} of the foot's length, published ones at 0.69 to 1.01"
             ),
-            ReachMeasure::HighestBelowAnkle | ReachMeasure::LowestBelowAnkle => {
-                let which = if self.measure == ReachMeasure::LowestBelowAnkle { "lowest" } else { "highest" };
-                format!(
-                    "is the {which} of {towards} and ends at {value} of the way from the ankle down to the sole of the bones, published ones \
-                     at 1 to 1.98"
-                )
-            }
+            ReachMeasure::BelowAnkle => format!(
+                "ends at {value} of the way from the ankle of {towards} down to the sole of the bones, published ones at 1.00 to 1.98"
+            ),
         }
     }
 }
 
-/// The reach of each foot sphere towards the next joint, of the foremost sphere along each foot, and of the highest and the lowest bottom
-/// below each ankle.
+/// The reach of each foot sphere towards the next joint, of the foremost sphere along each foot, and of the most usual bottom below each
+/// ankle: only if this one is unusual, all spheres of the foot were moved.
 pub(crate) fn reaches(model: &Model, bones: &BodyBones) -> Vec<Reach> {
     let mut reaches = Vec::new();
     let mut foremost: BTreeMap<String, (SphereId, f64, f64)> = BTreeMap::new();
-    let mut below_ankle: BTreeMap<String, [(SphereId, f64); 2]> = BTreeMap::new();
+    let mut below_ankle: BTreeMap<String, (SphereId, f64)> = BTreeMap::new();
     for id in model.loaded_spheres(&model.force_ids()) {
         let (Some(sphere), Some(centre)) = (model.sphere(id), model.centre_m(id)) else { continue };
         let Some(body) = sphere.body.as_deref().filter(|body| bones.is_foot(body)) else { continue };
@@ -103,7 +96,7 @@ pub(crate) fn reaches(model: &Model, bones: &BodyBones) -> Vec<Reach> {
             value: centre.dot(joint.in_parent_m) / squared,
             towards: joint.name.clone(),
             measure: ReachMeasure::TowardsJoint,
-            most: if joint.is_weld { f64::INFINITY } else { LARGEST_TOWARDS_JOINT },
+            usual: LEAST_TOWARDS_JOINT..=if joint.is_weld { f64::INFINITY } else { LARGEST_TOWARDS_JOINT },
         }));
         let as_hind_part = |body: &str| bones.standard_foot(body).map(|foot| (body.to_owned(), foot));
         let as_toes = || {
@@ -116,12 +109,9 @@ pub(crate) fn reaches(model: &Model, bones: &BodyBones) -> Vec<Reach> {
             let place = origin + centre;
             if let Some((ankle, _)) = bones.ankle_and_forward(&hind) {
                 let below = (ankle[1] - place[1] + radius_m) / ankle_to_sole;
-                let [highest, lowest] = below_ankle.entry(hind.clone()).or_insert([(id, below); 2]);
-                if below < highest.1 {
-                    *highest = (id, below);
-                }
-                if below > lowest.1 {
-                    *lowest = (id, below);
+                let nearest = below_ankle.entry(hind.clone()).or_insert((id, below));
+                if (below - MIDDLE_BELOW_ANKLE).abs() < (nearest.1 - MIDDLE_BELOW_ANKLE).abs() {
+                    *nearest = (id, below);
                 }
             }
             let along = (place[0] - heel) / (tip - heel);
@@ -137,13 +127,14 @@ pub(crate) fn reaches(model: &Model, bones: &BodyBones) -> Vec<Reach> {
         value,
         towards,
         measure: ReachMeasure::AlongFoot,
-        most,
+        usual: *USUAL_ALONG_FOOT.start()..=most,
     }));
-    reaches.extend(below_ankle.into_iter().flat_map(|(towards, [highest, lowest])| {
-        let most = *USUAL_BELOW_ANKLE.end();
-        let reach =
-            |(sphere, value), measure| Reach { sphere, value, towards: towards.clone(), measure, most };
-        [reach(highest, ReachMeasure::HighestBelowAnkle), reach(lowest, ReachMeasure::LowestBelowAnkle)]
+    reaches.extend(below_ankle.into_iter().map(|(towards, (sphere, value))| Reach {
+        sphere,
+        value,
+        towards,
+        measure: ReachMeasure::BelowAnkle,
+        usual: USUAL_BELOW_ANKLE,
     }));
     reaches
 }
@@ -163,7 +154,7 @@ const ANKLE_TO_SOLE_OF_OPENSIM_FOOT_M: f64 = 0.051789;
 const TOES_BEGIN_X_M: f64 = 0.1788;
 
 /// Factors that OpenSim's bones can have, from a mouse to a giant. The factor 0.001 of meshes in millimetres is not among them.
-const PLAUSIBLE_FACTORS: std::ops::RangeInclusive<f64> = 0.01..=10.0;
+const PLAUSIBLE_FACTORS: RangeInclusive<f64> = 0.01..=10.0;
 /// Words in the names of bodies and meshes that belong to a foot.
 const FOOT_WORDS: [&str; 9] = ["foot", "calc", "toe", "talus", "tars", "pes", "phal", "hoof", "paw"];
 
@@ -372,9 +363,9 @@ pub(crate) fn same_size(a: [f64; 3], b: [f64; 3]) -> bool {
 mod tests {
     use super::*;
 
-    /// The largest reach towards a joint, the least and largest reach along the foot, and the reach of the highest and the lowest bottom below
-    /// the ankle, in the model of the corpus with these file names.
-    fn measured_reaches(names: &[&str]) -> Option<[f64; 5]> {
+    /// The largest reach towards a joint, the least and largest reach along the foot, and the most usual reach below the ankle, in the model
+    /// of the corpus with these file names.
+    fn measured_reaches(names: &[&str]) -> Option<[f64; 4]> {
         use osim_model::files::{CompanionPaths, InMemory, ModelFiles};
         let folder = std::env::var_os("OSIM_CORPUS").map(std::path::PathBuf::from)?;
         let read = |name: &str| std::fs::read(folder.join(name)).unwrap();
@@ -395,8 +386,7 @@ mod tests {
             values(ReachMeasure::TowardsJoint).fold(f64::NAN, f64::max),
             values(ReachMeasure::AlongFoot).fold(f64::NAN, f64::min),
             values(ReachMeasure::AlongFoot).fold(f64::NAN, f64::max),
-            values(ReachMeasure::HighestBelowAnkle).fold(f64::NAN, f64::max),
-            values(ReachMeasure::LowestBelowAnkle).fold(f64::NAN, f64::max),
+            values(ReachMeasure::BelowAnkle).fold(f64::NAN, f64::max),
         ])
     }
 
@@ -410,15 +400,15 @@ mod tests {
         ];
         let none = f64::NAN;
         for (names, expected) in [
-            (&["v40000_toy_landing.osim"][..], [0.0551, 0.6915, 0.6915, 1.0417, 1.1962]),
-            (&["v40000_scone_h0914m.osim"], [none, 1.0061, 1.0061, 1.0997, 1.0997]),
-            (&["v30000_scone_h0914m.osim"], [none, 1.0061, 1.0061, 1.0997, 1.0997]),
-            (&["v40000_moco_2d_gait.osim"], [1.0868, 0.7680, 0.7680, 1.3290, 1.4577]),
-            (&["v40000_falisse_2022_human.osim"], [0.9075, 0.9576, 0.9576, 1.6974, 1.7360]),
-            (&["v30000_osim_rl_gait9dof18musc_crlf.osim"], [0.1653, 0.8233, 0.8233, 1.0031, 1.0417]),
-            (&["v20302_dynamic_jumper.osim"], [1.0325, 0.9777, 0.9777, 1.0041, 1.0041]),
-            (&["v40000_dhondt_2024_3seg_human.osim"], [1.0249, none, none, none, none]),
-            (&moco, [1.1374, 0.9551, 0.9551, 1.5780, 1.6126]),
+            (&["v40000_toy_landing.osim"][..], [0.0551, 0.6915, 0.6915, 1.1962]),
+            (&["v40000_scone_h0914m.osim"], [none, 1.0061, 1.0061, 1.0997]),
+            (&["v30000_scone_h0914m.osim"], [none, 1.0061, 1.0061, 1.0997]),
+            (&["v40000_moco_2d_gait.osim"], [1.0868, 0.7680, 0.7680, 1.4577]),
+            (&["v40000_falisse_2022_human.osim"], [0.9075, 0.9576, 0.9576, 1.7360]),
+            (&["v30000_osim_rl_gait9dof18musc_crlf.osim"], [0.1653, 0.8233, 0.8233, 1.0417]),
+            (&["v20302_dynamic_jumper.osim"], [1.0325, 0.9777, 0.9777, 1.0041]),
+            (&["v40000_dhondt_2024_3seg_human.osim"], [1.0249, none, none, none]),
+            (&moco, [1.1374, 0.9551, 0.9551, 1.6126]),
         ] {
             let Some(found) = measured_reaches(names) else {
                 eprintln!(

@@ -3,7 +3,7 @@
 
 use contact_scaling::limits::{INDENTATION, growth_to_indentation_limit};
 use osim_model::messages::{Input, Phrase, Verb, four_significant, phrase, readable};
-use osim_model::{Example, Finding, Repair, Severity, are_equal_masses};
+use osim_model::{Example, Finding, Repair, Rule, Severity, are_equal_masses};
 use osim_requests::Request;
 
 use crate::reach::is_named_after_foot;
@@ -146,10 +146,8 @@ impl ManyLimbs {
             }
             false => {
                 let remedy = check.remedies.transfer_published(Some(carrying)).map(Request::from);
-                FindingWithRemedy::new(
-                    finding.with_advice(advice_for_other_number_of_limbs(carrying)),
-                    remedy,
-                )
+                let advice = advice_for_other_number_of_limbs(carrying);
+                FindingWithRemedy::new(finding.with_advice(advice), remedy)
             }
         }
     }
@@ -209,14 +207,25 @@ rule! { pub(super) BEYOND_HERTZ: BeyondHertz, Remark, Mass;
 
 /// Finds spheres that sink in beyond the limit of the Hertz law under the body weight.
 pub(super) fn find_beyond_hertz(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> {
-    let affected = check.spheres_with(|sphere| {
-        value_beyond_limit(sphere, Figure::Indentation).filter(|&x| x < UP_TO_CENTRE_RADII)
-    })?;
+    find_beyond(check, &BEYOND_HERTZ, (Figure::Indentation, "body weight"), |_, x| x < UP_TO_CENTRE_RADII)
+}
+
+/// Finds spheres whose `figure`, at the load `under`, is beyond the limit of the Hertz law, and which the rule is about.
+fn find_beyond(
+    check: &FigureCheck<'_>,
+    rule: &'static Rule,
+    (figure, under): (Figure, &str),
+    is_about: impl Fn(&SphereFigures, f64) -> bool,
+) -> Option<FindingWithRemedy> {
+    let beyond = |sphere: &SphereFigures| value_beyond_limit(sphere, figure).filter(|&x| is_about(sphere, x));
+    let affected = check.spheres_with(beyond)?;
     let (x, limit) = (four_significant(affected.largest), INDENTATION.value);
-    let text = format!(
-        "under body weight on one limb spheres sink in {x} R, and Hertz theory holds up to {limit} R"
-    );
-    Some(with_ways(check.finding_at_sphere(&BEYOND_HERTZ, &text, &affected), affected.largest))
+    let text =
+        format!("under {under} on one limb spheres sink in {x} R, and Hertz theory holds up to {limit} R");
+    let finding = check.finding_at_sphere(rule, &text, &affected);
+    let Some(ways) = ways_within_hertz(affected.largest) else { return Some(finding.into()) };
+    let message = phrase![&finding.message, "; ", ways];
+    Some(finding.with_message(message).into())
 }
 
 /// What brings spheres that sink in by `x` of their radius to the limit of Hertz' law, each change alone; `None` within the limit.
@@ -226,13 +235,6 @@ pub fn ways_within_hertz(x: f64) -> Option<String> {
     Some(format!(
         "one of these alone gives {limit} R: radius x{radius}, stiffness x{stiffness}, or {stiffness} times as many spheres"
     ))
-}
-
-/// Adds to the message of a finding what brings spheres that sink in by `x` of their radius to the limit.
-fn with_ways(finding: Finding, x: f64) -> FindingWithRemedy {
-    let Some(ways) = ways_within_hertz(x) else { return finding.into() };
-    let message = phrase![&finding.message, "; ", ways];
-    finding.with_message(message).into()
 }
 
 rule! { pub(super) BEYOND_HERTZ_AT_TWO: BeyondHertzAtTwo, Remark, Mass;
@@ -245,14 +247,7 @@ rule! { pub(super) BEYOND_HERTZ_AT_TWO: BeyondHertzAtTwo, Remark, Mass;
 
 /// Finds spheres that are beyond the limit of the Hertz law only under twice the body weight.
 pub(super) fn find_beyond_hertz_at_two(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> {
-    let only_at_two = |sphere: &SphereFigures| {
-        value_beyond_limit(sphere, Figure::IndentationAtTwo)
-            .filter(|_| sphere.is_within(Figure::Indentation) == Some(true))
-    };
-    let affected = check.spheres_with(only_at_two)?;
-    let (x, limit) = (four_significant(affected.largest), INDENTATION.value);
-    let text = format!(
-        "under two body weights on one limb spheres sink in {x} R, and Hertz theory holds up to {limit} R"
-    );
-    Some(with_ways(check.finding_at_sphere(&BEYOND_HERTZ_AT_TWO, &text, &affected), affected.largest))
+    find_beyond(check, &BEYOND_HERTZ_AT_TWO, (Figure::IndentationAtTwo, "two body weights"), |sphere, _| {
+        sphere.is_within(Figure::Indentation) == Some(true)
+    })
 }

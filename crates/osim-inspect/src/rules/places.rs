@@ -72,26 +72,20 @@ impl<'i> SpherePlaces<'i> {
             Self::FileAlone(evidence) => {
                 let is_noted = matches!(evidence, PlaceEvidence::ScaledSinceNote(_));
                 let remedy = || is_noted.then(|| follow_by_note(remedies, model)).flatten();
-                find_misplaced_by_file_alone(evidence, model)
-                    .into_iter()
-                    .map(|finding| FindingWithRemedy::new(finding, remedy()))
-                    .collect()
+                let finding = find_misplaced_by_file_alone(evidence, model);
+                finding.map(|finding| FindingWithRemedy::new(finding, remedy())).into_iter().collect()
             }
             Self::NotCompared(placement, evidence) => {
                 let alone = Self::FileAlone(evidence.clone()).findings(model, remedies);
                 // The finding that the models cannot be compared is enough, if the file alone shows nothing either.
                 let alone = alone.into_iter().filter(|one| one.code() != FindingCode::SpheresNotCompared);
-                find_misplaced_by_comparison(placement)
-                    .into_iter()
-                    .map(FindingWithRemedy::from)
-                    .chain(alone)
-                    .collect()
+                let compared = find_misplaced_by_comparison(placement).into_iter();
+                compared.map(FindingWithRemedy::from).chain(alone).collect()
             }
             Self::Compared(placement) => {
                 let found = find_misplaced_by_comparison(placement).into_iter();
-                found
-                    .map(|finding| FindingWithRemedy::new(finding, follow_by_original(remedies, placement)))
-                    .collect()
+                let remedy = || follow_by_original(remedies, placement);
+                found.map(|finding| FindingWithRemedy::new(finding, remedy())).collect()
             }
         }
     }
@@ -184,10 +178,7 @@ const MOST_BODIES_NAMED: usize = 4;
 
 /// The finding that all spheres are on `bodies`, none of which belongs to a foot.
 fn find_spheres_beside_feet(model: &Model, bodies: &[String], text: String) -> Option<Finding> {
-    let is_there = |sphere: &&Sphere| {
-        let body = sphere.body.as_ref();
-        body.is_some_and(|body| bodies.contains(body))
-    };
+    let is_there = |sphere: &&Sphere| sphere.body.as_ref().is_some_and(|body| bodies.contains(body));
     finding_about_spheres(&SPHERES_MISPLACED, text, model.spheres().iter().filter(is_there))
 }
 
@@ -211,11 +202,8 @@ fn find_misplaced_by_comparison(placement: &SpherePlacements) -> Vec<Finding> {
         unmatched.entry(cause).or_default().push(Finding::new(&SPHERES_NOT_COMPARED, why));
     }
     let unmatched = unmatched.into_values().filter_map(|cases| Finding::join_cases(&cases));
-    [misplaced_spheres(placement, true), misplaced_spheres(placement, false)]
-        .into_iter()
-        .flatten()
-        .chain(unmatched)
-        .collect()
+    let misplaced = [true, false].into_iter().filter_map(|stayed| misplaced_spheres(placement, stayed));
+    misplaced.chain(unmatched).collect()
 }
 
 rule! { pub(super) SPHERES_LEFT_BEHIND: SpheresLeftBehind, Error, Sizes;
@@ -302,10 +290,7 @@ fn misplaced_by_reach(model: &Model, far: &[Reach]) -> Option<Finding> {
     let spheres: Vec<(&Reach, &Sphere)> =
         far.iter().filter_map(|reach| Some((reach, model.sphere(reach.sphere)?))).collect();
     let (reach, sphere) = spheres.first()?;
-    let more = match spheres.len() {
-        1 => String::new(),
-        count => format!(" ({} more)", count - 1),
-    };
+    let more = if spheres.len() > 1 { format!(" ({} more)", spheres.len() - 1) } else { String::new() };
     let text = format!("{} {}{more}", sphere.name, reach.describe());
     finding_about_spheres(&SPHERES_MISPLACED, text, spheres.iter().map(|(_, sphere)| *sphere))
 }
@@ -336,11 +321,8 @@ pub(super) fn find_no_heel(sides: &BothSides<'_>) -> Option<Finding> {
         three_significant(1e3 * ahead_m)
     );
     let finding = finding_about_spheres(&SPHERES_MISPLACED, text, std::iter::once(sphere))?;
-    Some(
-        finding
-            .with_severity(Severity::Remark)
-            .with_advice("Nothing, if this is intended; else look at the places of the heel's spheres"),
-    )
+    let advice = "Nothing, if this is intended; else look at the places of the heel's spheres";
+    Some(finding.with_severity(Severity::Remark).with_advice(advice))
 }
 
 /// A sphere that is named after the toes and is ahead of the ankle by less than this part of the limb's longest bone has the place that it

@@ -247,10 +247,8 @@ fn describe_places(pair: &SpherePair<'_>) -> String {
     let (left, right) = (&pair.left, &pair.right);
     let names = [left, right].map(|placed| (shown(&placed.sphere.name), shown(placed.body)));
     let [(left_name, left_body), (right_name, right_body)] = names;
-    let apart = pair
-        .bodies
-        .as_ref()
-        .and_then(|bodies| Some((bodies, bodies.apart_m(right.place_m, left.place_m)?, bodies.bone_m?)));
+    let bodies = pair.bodies.as_ref();
+    let apart = bodies.and_then(|one| Some((one, one.apart_m(right.place_m, left.place_m)?, one.bone_m?)));
     let Some((bodies, apart_m, bone_m)) = apart else {
         return format!("{left_name} is on {left_body}, its counterpart {right_name} on {right_body}");
     };
@@ -391,11 +389,8 @@ pub(super) fn find_one_side_only(sides: &BothSides<'_>) -> Option<Finding> {
             return Some(finding_about_spheres(&ONE_SIDE_ONLY, text, idle)?.with_severity(Severity::Warning));
         }
         let text = format!("only the {} side has contact spheres that meet a floor", first.side.as_str());
-        return finding_about_spheres(
-            &ONE_SIDE_ONLY,
-            text,
-            sides.one_side.iter().map(|placed| placed.sphere),
-        );
+        let spheres = sides.one_side.iter().map(|placed| placed.sphere);
+        return finding_about_spheres(&ONE_SIDE_ONLY, text, spheres);
     }
     let without_body = sides.unpaired.iter().filter(|unpaired| unpaired.other_body.is_none());
     let first = without_body.clone().next()?.sphere;

@@ -288,6 +288,7 @@ impl<'m> FootExtents<'m> {
 /// The message about the oddest of `count` radii.
 fn describe_odd_radius(worst: &OddRadius<'_>, count: usize, model: &Model) -> String {
     let radius_m = worst.sphere.radius.number;
+    let is_large = RADIUS_OF_BONE.contains(&worst.part_of_bone);
     let more = other_cases_in_words(count, "another radius, too", "other radii, too");
     let mass_kg = MassRequest::default().bodies_kg(model).filter(|kg| *kg > 0.0);
     let against_mass = mass_kg
@@ -299,11 +300,7 @@ fn describe_odd_radius(worst: &OddRadius<'_>, count: usize, model: &Model) -> St
         three_significant(worst.part_of_bone),
         three_significant(worst.bone_m),
         RADIUS_OF_BONE.start(),
-        if RADIUS_OF_BONE.contains(&worst.part_of_bone) {
-            &LARGE_RADIUS_OF_BONE
-        } else {
-            RADIUS_OF_BONE.end()
-        },
+        if is_large { LARGE_RADIUS_OF_BONE } else { *RADIUS_OF_BONE.end() },
         against_mass.unwrap_or_default()
     )
 }

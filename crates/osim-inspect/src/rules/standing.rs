@@ -120,16 +120,13 @@ impl<'i> UnevenLimb<'i> {
         let highest = bottoms.iter().copied().reduce(|a, b| if b.height_m > a.height_m { b } else { a })?;
         let difference_radii = (highest.height_m - lowest.height_m) / lowest.radius_m;
         let tilt_rad = bottoms.iter().map(|bottom| bottom.tilt_rad).fold(0.0, f64::max);
-        let at_zero_m: Option<Vec<f64>> = bottoms.iter().map(|bottom| bottom.height_at_zero_m).collect();
-        let spread_m = |heights_m: Vec<f64>| {
-            let most_m = heights_m.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-            most_m - heights_m.into_iter().fold(f64::INFINITY, f64::min)
-        };
-        let is_level = |spread: &f64| {
-            difference_radii > WARNING_DIFFERENCE_RADII
-                && *spread <= WARNING_DIFFERENCE_RADII * lowest.radius_m
-        };
-        let difference_at_zero_m = at_zero_m.map(spread_m).filter(is_level);
+        let mut at_zero_m: Vec<f64> =
+            bottoms.iter().map(|bottom| bottom.height_at_zero_m).collect::<Option<_>>().unwrap_or_default();
+        at_zero_m.sort_by(f64::total_cmp);
+        let most_m = WARNING_DIFFERENCE_RADII * lowest.radius_m;
+        let is_level = |at_zero_m: &f64| highest.height_m - lowest.height_m > most_m && *at_zero_m <= most_m;
+        let difference_at_zero_m = at_zero_m.last().zip(at_zero_m.first()).map(|(high, low)| high - low);
+        let difference_at_zero_m = difference_at_zero_m.filter(is_level);
         Some(Self { limb, lowest, highest, difference_radii, tilt_rad, difference_at_zero_m })
     }
 
