@@ -19,8 +19,7 @@ const EXACT_TOLERANCE: f64 = 1e-6;
 /// Two values of contacts are similar, and give the same findings, if their relative difference is at most this. A radius that differs by
 /// 2 % changes other values by up to 6 %.
 const SIMILAR_TOLERANCE: f64 = 0.07;
-/// Radii, and the numbers on which a finding depends, are near the published ones under the published body if their relative differences are
-/// at most this.
+/// Radii, and the numbers on which a finding depends, are near those of the published body if their relative differences are at most this.
 const NEAR_TOLERANCE: f64 = 0.25;
 
 /// Published contacts that a model has: from [`KnownContacts::find`].
@@ -275,8 +274,8 @@ impl KnownContactsEntry {
         })
     }
 
-    /// Whether each of `contacts` is near a contact of this entry, and each contact of the entry near one of them, under the published body.
-    /// No number follows a radius that somebody has changed.
+    /// Whether each of `contacts` is near a contact of this entry, and each contact of the entry near one of them, under a body of the
+    /// published mass. No number follows a radius that somebody has changed.
     fn is_near(&self, contacts: &[ContactOfSet], mass_kg: f64, likeness: &ComparedNumbers) -> bool {
         let near = |contact: &ContactOfSet, published: &PublishedContact| {
             likeness.is_close(contact.radius_m, published.radius_m)
@@ -288,8 +287,8 @@ impl KnownContactsEntry {
             && self.contacts.iter().all(has_near)
     }
 
-    /// Whether `contact` has the published values, scaled to `mass` times the published mass, `share` times as many spheres and `radius` times
-    /// the published radius.
+    /// Whether `contact` has the published values, scaled to `mass` times the published mass, `share` times as many spheres and `radius`
+    /// times the published radius.
     fn matches_values(
         &self,
         contact: &ContactOfSet,

@@ -288,8 +288,8 @@ impl PublishedLayout {
         }
     }
 
-    /// The volume of a bone over the published volume, if each centre is the published place times the factor by which the bone of the sphere
-    /// is larger than published.
+    /// The volume of a bone over the published volume, if each centre is the published place times the factor by which the bone of the
+    /// sphere is larger than published.
     fn volume_of_grown_bones(&self, centres: &DigestedCentres<'_>, bones: &BodyBones) -> Option<f64> {
         self.sizes.iter().find_map(|published| {
             let mut volume = 1.0;

@@ -5,8 +5,8 @@
 //! - along the foot: where the foremost centre is between the heel (0) and the tip of the toes (1) of OpenSim's standard foot, by the
 //!   extents of the bones' meshes. Published models have 0.691 to 1.007. If the model has no toes, their tip is where toes of the foot's size
 //!   would end, because the foot may carry their spheres.
-//! - below the ankle: where the bottoms of all spheres of OpenSim's standard foot end, between its ankle (0) and the sole of its bones (1).
-//!   Published models have 1.00 to 1.98; a shoe adds 0.8.
+//! - below the ankle: where bottoms of spheres on OpenSim's standard foot end, between its ankle (0) and the sole of its bones (1).
+//!   Published models have 1.00 to 1.98; a thick shoe adds 0.8.
 
 use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
@@ -25,9 +25,9 @@ const LEAST_TOWARDS_JOINT: f64 = -0.3;
 /// Usual reach of the foremost sphere along the foot, between heel (0) and tip of the toes (1).
 const USUAL_ALONG_FOOT: RangeInclusive<f64> = 0.65..=1.05;
 /// Usual reach of a foot's bottoms below the ankle, between the ankle (0) and the sole of the bones (1).
-const USUAL_BELOW_ANKLE: RangeInclusive<f64> = 0.75..=2.85;
+const USUAL_BELOW_ANKLE: RangeInclusive<f64> = 0.6..=2.85;
 /// The middle of this range.
-const MIDDLE_BELOW_ANKLE: f64 = 1.8;
+const MIDDLE_BELOW_ANKLE: f64 = 1.725;
 
 /// How far one sphere reaches, towards the next joint or along the foot.
 #[derive(Debug, Clone, PartialEq)]
@@ -363,8 +363,8 @@ pub(crate) fn same_size(a: [f64; 3], b: [f64; 3]) -> bool {
 mod tests {
     use super::*;
 
-    /// The largest reach towards a joint, the least and largest reach along the foot, and the most usual reach below the ankle, in the model
-    /// of the corpus with these file names.
+    /// The largest reach towards a joint, the least and largest reach along the foot, and the most usual reach below the ankle, in the
+    /// model of the corpus with these file names.
     fn measured_reaches(names: &[&str]) -> Option<[f64; 4]> {
         use osim_model::files::{CompanionPaths, InMemory, ModelFiles};
         let folder = std::env::var_os("OSIM_CORPUS").map(std::path::PathBuf::from)?;
