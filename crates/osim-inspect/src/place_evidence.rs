@@ -1,6 +1,6 @@
 //! Evidence in one model file about the places of its spheres: its note, published layouts of spheres, and how far spheres reach.
 
-use std::cell::{OnceCell, RefCell};
+use std::cell::OnceCell;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
@@ -135,13 +135,11 @@ struct SphereCentre<'m> {
     at_m: [f64; 3],
 }
 
-/// The sphere centres of a model, with their digests. A digest is computed when a layout is compared by digest.
+/// The sphere centres of a model, with their digest, which is computed when a layout is compared by digest.
 #[derive(Default)]
 struct DigestedCentres<'m> {
     list: Vec<SphereCentre<'m>>,
     digest: OnceCell<String>,
-    /// The centres divided by the growth of their bones, and the digest of these; one entry for each published size that was compared.
-    rescaled: RefCell<Vec<(Vec<SphereCentre<'m>>, String)>>,
 }
 
 /// How the bones of a model fit the published layout whose places its spheres have.
@@ -299,24 +297,9 @@ impl PublishedLayout {
                 let at_m = std::array::from_fn(|axis| at_m[axis] * (published[axis] / here[axis]));
                 Some(SphereCentre { body, at_m })
             });
-            let back: Option<Vec<SphereCentre<'_>>> = back.collect();
-            let back = back?;
-            self.matches(&back, |own| centres.rescaled_have_digest(&back, own)).then_some(volume)
+            let back = back.collect::<Option<Vec<SphereCentre<'_>>>>()?;
+            self.matches(&back, |own| own == digest_of_places(&back)).then_some(volume)
         })
-    }
-}
-
-impl<'m> DigestedCentres<'m> {
-    /// Whether `rescaled`, the centres of the spheres on bones of another size, have the digest `expected`.
-    fn rescaled_have_digest(&self, rescaled: &[SphereCentre<'m>], expected: &str) -> bool {
-        let mut computed = self.rescaled.borrow_mut();
-        if let Some((_, digest)) = computed.iter().find(|(list, _)| list == rescaled) {
-            return digest == expected;
-        }
-        let digest = digest_of_places(rescaled);
-        let is_equal = digest == expected;
-        computed.push((rescaled.to_vec(), digest));
-        is_equal
     }
 }
 

@@ -186,11 +186,8 @@ fn are_bodies_of_another_mass(model: &Model, inspected: &Inspection, options: &I
     let Some(made_for) = &inspected.contacts_mass_kg else { return false };
     let is_meant =
         [MassSource::Note, MassSource::ContactsMass].iter().any(|one| one.as_str() == made_for.source);
-    is_meant
-        && options
-            .masses
-            .bodies_kg(model)
-            .is_some_and(|bodies_kg| !are_equal_masses(made_for.value, bodies_kg))
+    let bodies_kg = options.masses.bodies_kg(model).filter(|_| is_meant);
+    bodies_kg.is_some_and(|bodies_kg| !are_equal_masses(made_for.value, bodies_kg))
 }
 
 /// Whether spheres have to be corrected first. Figures of a sphere in millimetres, or of a copied sphere, have no meaning.
@@ -233,11 +230,9 @@ fn findings_about_model(
     let remarks = model.remarks_on(&on_half_spaces.map(|force| force.id).collect::<Vec<_>>());
     findings.extend(remarks.into_iter().map(FindingWithRemedy::from));
     findings.extend(apply_floor_rules(model, floors).into_iter().map(FindingWithRemedy::from));
-    let unknown = [
-        floors::find_no_gravity(model, inspected, || floors.are_any()),
-        contacts::find_count_unknown(inspected),
-    ];
-    findings.extend(unknown.into_iter().flatten().map(FindingWithRemedy::from));
+    let no_gravity = floors::find_no_gravity(model, inspected, || floors.are_any());
+    let unknown = no_gravity.into_iter().chain(contacts::find_count_unknown(inspected));
+    findings.extend(unknown.map(FindingWithRemedy::from));
     findings
 }
 

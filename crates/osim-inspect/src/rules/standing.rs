@@ -79,7 +79,7 @@ pub(super) struct UnevenLimb<'i> {
     difference_radii: f64,
     /// How far the bodies of the lowest and the highest sphere lean, rad.
     tilt_rad: f64,
-    /// The difference with all coordinates at 0, m, if it is no warning there: then only the pose makes the bottoms uneven.
+    /// The difference with all coordinates at 0, m, if it is small there: then only the pose makes the bottoms uneven.
     difference_at_zero_m: Option<f64>,
 }
 
