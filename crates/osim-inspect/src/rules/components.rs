@@ -6,12 +6,13 @@ use foldhash::{HashSet, HashSetExt};
 use osim_model::messages::{listed, shown};
 use osim_model::opensim_text::list_words;
 use osim_model::{
-    Class, Component, ComponentId, Example, FileId, Finding, Irregularity, Model, NoteDoubt,
+    Class, Component, ComponentId, ElementId, Example, FileId, Finding, Irregularity, Model, NoteDoubt,
     OTHER_CONTACT_CLASSES, Repair, refuse_name_in_paths,
 };
 use osim_requests::{ConvertRequest, Request};
 
 use crate::findings::Remedies;
+use crate::rules::refused_or_ignored::path_of_component;
 use crate::rules::spheres::other_cases_in_words;
 use osim_model::rule;
 
@@ -103,10 +104,16 @@ pub(super) fn find_irregularities(model: &Model) -> Vec<Finding> {
     found
 }
 
-/// Finds names of coordinates, in constraints and forces, that no coordinate has: OpenSim refuses the model.
+/// Finds names and paths of coordinates, in constraints, forces and path points, that no coordinate has: OpenSim refuses the model.
 pub(super) fn find_lost_coordinates(model: &Model) -> Vec<Finding> {
     const TAGS: [&str; 3] = ["coordinate", "dependent_coordinate_name", "independent_coordinate_names"];
-    let components = model.components();
+    const NEED_COORDINATE: [&str; 2] = ["CoordinateActuator", "CoordinateLimitForce"];
+    let (components, document) = (model.components(), model.document());
+    let is_of_joint = |one: &Irregularity| matches!(one, Irregularity::LeadsNowhere { .. });
+    // The coordinates of a set are in another file, and a joint that hangs nowhere has none here.
+    if !document.is_model() || model.irregularities.iter().any(is_of_joint) {
+        return Vec::new();
+    }
     let all = || components.tree.iter().map(|(id, _)| id);
     let written = all().filter(|&id| components.tag(id) == "Coordinate").map(|id| components.name(id));
     let read = model.joints().iter().flat_map(|joint| &joint.coordinates).map(|one| one.name.as_str().into());
@@ -115,22 +122,54 @@ pub(super) fn find_lost_coordinates(model: &Model) -> Vec<Finding> {
     let owners = all().filter(|&id| kinds.iter().any(|kind| components.tag(id).ends_with(kind)));
     let lost = owners.flat_map(|id| {
         let document = components.document_of(id);
-        let named = document
-            .tree()
-            .children(components.element(id))
-            .filter(|&child| TAGS.contains(&document.tree().name(child)));
-        let known = &known;
-        named.filter_map(move |child| {
-            let text = document.tree().text_of(child);
-            let (path, tag) = (components.tree.path(id), document.tree().name(child));
+        let (tree, element) = (document.tree(), components.element(id));
+        let wrong = |child: ElementId| {
+            let (text, tag) = (tree.text_of(child), tree.name(child));
             // A coupler may follow no coordinate; the other elements need a name.
             let is_empty = tag != "independent_coordinate_names" && list_words(&text).next().is_none();
             let name = list_words(&text).chain(is_empty.then_some("")).find(|name| !known.contains(*name))?;
-            let text = format!("{tag} of {path} is '{}', which is the name of no coordinate", shown(name));
-            Some(Finding::at(&SOCKET_NOWHERE, document.position_of(child), text).with_place(&path))
-        })
+            Some((child, tag, format!("is '{}', which is the name of no coordinate", shown(name))))
+        };
+        let named = tree.children(element).filter(|&child| TAGS.contains(&tree.name(child)));
+        let named: Vec<_> = named.collect();
+        let is_missing = named.is_empty()
+            && NEED_COORDINATE.iter().any(|class| components.tag(id).ends_with(class))
+            && document.inherited_element(element, TAGS[0]).is_none();
+        let missing = is_missing.then(|| (element, TAGS[0], "is missing".to_owned()));
+        let finding = |(at, tag, words): (ElementId, &str, String)| {
+            let path = components.tree.path(id);
+            let text = format!("{tag} of {path} {words}");
+            Finding::at(&SOCKET_NOWHERE, document.position_of(at), text).with_place(&path)
+        };
+        named.into_iter().filter_map(wrong).chain(missing).map(finding).collect::<Vec<_>>()
     });
-    lost.collect()
+    lost.chain(find_lost_sockets_of_coordinates(model)).collect()
+}
+
+/// One finding for all sockets of coordinates that lead to none.
+fn find_lost_sockets_of_coordinates(model: &Model) -> Option<Finding> {
+    let (components, document) = (model.components(), model.document());
+    let paths = model.joints().iter().flat_map(|joint| {
+        let path = components.at(joint.file, joint.element).map(|id| components.tree.path(id));
+        joint.coordinates.iter().filter_map(move |one| Some(format!("{}/{}", path.as_deref()?, one.name)))
+    });
+    let known: HashSet<String> = paths.collect();
+    let (tree, mut lost) = (document.tree(), Vec::new());
+    tree.walk(document.data_root(), |id| {
+        let tag = tree.name(id);
+        if tag.starts_with("socket_") && tag.ends_with("coordinate") {
+            let text = tree.text_of(id);
+            let is_read = text.contains('/') && !text.starts_with('/') || known.contains(&*text);
+            lost.extend((!is_read).then_some((id, text)));
+        }
+        tag != "defaults"
+    });
+    let (first, text) = lost.first()?;
+    let path = path_of_component(model, FileId::MAIN, *first);
+    let others = other_cases_in_words(lost.len(), "another socket, too", "other sockets, too");
+    let what = format!("{} of {path} is '{}'", tree.name(*first), shown(text));
+    let text = format!("{what}, which is the path of no coordinate{others}");
+    Some(Finding::at(&SOCKET_NOWHERE, document.position_of(*first), text).with_place(&path))
 }
 
 rule! { pub(super) MIXED_PAIR: MixedPair, Error;

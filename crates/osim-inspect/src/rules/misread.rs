@@ -177,18 +177,37 @@ fn written_properties(class: &str) -> &'static [WrittenProperties] {
 }
 
 /// What is in a `TransformAxis` beside its numbers: the function is in an element of its own, or stands there itself.
-const PARTS_OF_AXIS: &[&str] =
-    &["coordinates", "function", "Constant", "LinearFunction", "PolynomialFunction", "SimmSpline"];
+const PARTS_OF_AXIS: &[&str] = &[
+    "coordinates",
+    "function",
+    "Constant",
+    "GCVSpline",
+    "LinearFunction",
+    "MultiplierFunction",
+    "NaturalCubicSpline",
+    "PiecewiseConstantFunction",
+    "PiecewiseLinearFunction",
+    "PolynomialFunction",
+    "SimmSpline",
+];
 
-/// The classes in a list `tag` of a joint, which is in an element `parent`; none if it is another element.
+/// What may be in a list `tag` of a joint or a constraint, which is in an element `parent`; none if it is another element.
 fn members_of_list(tag: &str, parent: &str) -> &'static [&'static str] {
     match (tag, parent) {
         ("SpatialTransform", _) => &["TransformAxis"],
         ("objects", "CoordinateSet") => &["Coordinate"],
         ("coordinates", joint) if joint.ends_with("Joint") => &["Coordinate"],
+        ("CoordinateSet", _) => &["objects"],
+        ("Ground", _) => PARTS_OF_FRAME,
+        ("function" | "coupled_coordinates_function" | "prescribed_function", _) => PARTS_OF_AXIS,
         _ => &[],
     }
 }
+
+/// The names of coordinates in a coupler.
+const COUPLED_NAMES: [&str; 2] = ["independent_coordinate_names", "dependent_coordinate_name"];
+/// What OpenSim refuses in a frame if it does not know its name.
+const PARTS_OF_FRAME: &[&str] = &["FrameGeometry", "frame_geometry"];
 
 /// Finds texts of numbers and flags that OpenSim reads as other values than are written, or that are not finite. OpenSim silently takes its
 /// default if it cannot read a text.
@@ -202,30 +221,35 @@ pub(super) fn find_misread_texts(model: &Model) -> Vec<Finding> {
         }
         let document = components.document(component.file);
         let tree = document.tree();
-        let path = || if tag == "Model" { "the model".to_owned() } else { components.tree.path(id) };
         tree.walk(component.element, |element| {
             let parent = tree.parent(element).filter(|_| element != component.element);
-            // Other components are in these elements.
-            if parent == Some(component.element)
-                && ["components", "frames", "Joint"].contains(&tree.name(element))
-            {
+            let class = tree.name(element);
+            // Other components are in these elements; functions of controllers are in none.
+            let is_left_out = match tag {
+                "Model" => class != "ControllerSet",
+                _ => ["components", "frames", "Joint"].contains(&class),
+            };
+            if parent == Some(component.element) && is_left_out {
                 return false;
             }
-            let class = tree.name(element);
             // Names of properties are in lower case.
             let is_object = class.starts_with(|letter: char| letter.is_ascii_uppercase());
             let all = if is_object { written_properties(class) } else { &[] };
             let members = members_of_list(class, parent.map_or("", |parent| tree.name(parent)));
             found.extend(find_unknown_children(model, component.file, element, (members, &mut meant)));
             if all.is_empty() {
-                return tag != "Model";
+                return true;
             }
             if known_children(document, element).is_none() || class == "Model" {
                 let others: &[&str] = match class {
-                    "Body" => &["mass"],
-                    "TransformAxis" => PARTS_OF_AXIS,
+                    "Body" => &["mass", "Joint", PARTS_OF_FRAME[0], PARTS_OF_FRAME[1]],
+                    "TransformAxis" | "MultiplierFunction" => PARTS_OF_AXIS,
+                    "CoordinateCouplerConstraint" => {
+                        &["coupled_coordinates_function", COUPLED_NAMES[0], COUPLED_NAMES[1]]
+                    }
+                    _ if class.ends_with("Frame") => PARTS_OF_FRAME,
                     _ if class.ends_with("Joint") => {
-                        &["frames", "coordinates", "CoordinateSet", "SpatialTransform"]
+                        &["frames", "coordinates", "CoordinateSet", "SpatialTransform", "parent_body"]
                     }
                     _ => &[],
                 };
@@ -244,13 +268,15 @@ pub(super) fn find_misread_texts(model: &Model) -> Vec<Finding> {
                     continue;
                 };
                 if let Some((rule, text)) = misread_text(document, element, of_text, (form, default)) {
-                    let path = path_of_part(document, path(), component.element, element);
+                    let whole = if tag == "Model" { String::new() } else { components.tree.path(id) };
+                    let path = path_of_part(document, whole, component.element, element);
+                    let of = if path.is_empty() { "the model" } else { &path };
                     let position = document.position_of(of_text);
-                    let finding = Finding::at(rule, position, format!("{property} of {path} {text}"));
-                    found.push(if tag == "Model" { finding } else { finding.with_place(&path) });
+                    let finding = Finding::at(rule, position, format!("{property} of {of} {text}"));
+                    found.push(if path.is_empty() { finding } else { finding.with_place(&path) });
                 }
             }
-            tag != "Model"
+            true
         });
     }
     found
@@ -336,9 +362,9 @@ fn unequal_counts(document: &Document, curve: ElementId, tag: &str, text: &str) 
         _ => return None,
     };
     let tree = document.tree();
-    let other = tree.raw_text(tree.child(curve, other_tag)?).text;
     let count = |text: &str| words_of_old_numbers(text).len();
-    let (own, others) = (count(text), count(&other));
+    let other = tree.child(curve, other_tag).map(|other| tree.raw_text(other).text);
+    let (own, others) = (count(text), other.map_or(0, |other| count(&other)));
     (own != others).then(|| format!("has {own} numbers, and {other_tag} {others}"))
 }
 

@@ -288,7 +288,7 @@ fn finding_about_unknown_name(
 }
 
 /// The path of the component that is, or is around, an element.
-fn path_of_component(model: &Model, file: FileId, element: ElementId) -> String {
+pub(super) fn path_of_component(model: &Model, file: FileId, element: ElementId) -> String {
     let (tree, components) = (model.file(file).tree(), model.components());
     let mut above = std::iter::successors(Some(element), |&id| tree.parent(id));
     let component = above.find_map(|id| components.at(file, id));
@@ -353,8 +353,11 @@ pub(super) fn known_children(document: &Document, id: ElementId) -> Option<&'sta
         Class::ContactHalfSpace,
     ];
     Some(match tree.name(id) {
-        "Model" => &["ForceSet", "ContactGeometrySet", "BodySet", "JointSet", "Ground", "ground"],
-        "ForceSet" | "ContactGeometrySet" | "BodySet" | "JointSet" => &["objects"],
+        "Model" => {
+            &["ForceSet", "ContactGeometrySet", "BodySet", "JointSet", "ConstraintSet", "Ground", "ground"]
+        }
+        "ForceSet" | "ContactGeometrySet" | "BodySet" | "JointSet" | "ConstraintSet" => &["objects"],
+        "groups" => &["ObjectGroup"],
         tag if SET_TAGS.contains(&tag) => &["objects"],
         "objects" if SET_TAGS.contains(&tree.name(tree.parent(id)?)) => &[PARAMETERS_TAG, FOUNDATION_TAG],
         "objects" | "components" => &[],

@@ -140,6 +140,39 @@ fn each_kind_is_reported_once_at_its_place() {
         ),
         (
             force,
+            &format!(
+                "<CoordinateActuator name=\"a\"><Coordinate>_coord_0</Coordinate></CoordinateActuator>{force}"
+            ),
+            FindingCode::SocketNowhere,
+            Some("/forceset/a"),
+        ),
+        (
+            force,
+            &format!("{}{force}", point_of_knee("/jointset/hip_r/knee")),
+            FindingCode::SocketNowhere,
+            Some("/forceset/spring"),
+        ),
+        (force, &format!("{}{force}", point_of_knee("_coord_0")), FindingCode::SocketNowhere, None),
+        (
+            "<Ground name=\"ground\" />",
+            "<Ground name=\"ground\"><FrameGeometrys name=\"frame_geometry\"/></Ground>",
+            FindingCode::UnknownName,
+            Some("/ground"),
+        ),
+        (
+            "<groups />\n\t\t</ForceSet>",
+            "<groups><ObjectGroups/></groups></ForceSet>",
+            FindingCode::UnknownName,
+            Some("/forceset"),
+        ),
+        (
+            "<JointSet name=\"jointset\">",
+            "<ConstaintSet/><JointSet name=\"jointset\">",
+            FindingCode::UnknownName,
+            Some("/"),
+        ),
+        (
+            force,
             &format!("<HuntCrossley name=\"other\"></HuntCrossley>{force}"),
             FindingCode::UnknownName,
             Some("/forceset/other"),
@@ -187,6 +220,13 @@ fn places_of_ellipsoids_and_nan_of_spheres_are_errors() {
     }
 }
 
+/// A muscle with a path point that follows a coordinate.
+fn point_of_knee(coordinate: &str) -> String {
+    format!(
+        "<PathSpring name=\"spring\"><path><GeometryPath name=\"path\"><PathPointSet><objects><ConditionalPathPoint name=\"p\"><socket_parent_frame>/bodyset/calcn_r</socket_parent_frame><socket_coordinate>{coordinate}</socket_coordinate></ConditionalPathPoint></objects></PathPointSet></GeometryPath></path></PathSpring>"
+    )
+}
+
 #[test]
 fn what_opensim_reads_is_not_reported() {
     let force = "<HuntCrossleyForce name=\"contact_r\">";
@@ -194,7 +234,13 @@ fn what_opensim_reads_is_not_reported() {
         (">/bodyset/calcn_r</socket_child", "> ../../bodyset/calcn_r </socket_child"),
         ("40000", "40600"),
         (force, &format!("{force}<isDisabled>false</isDisabled>")),
-        (force, &format!("<CoordinateLimitForce name=\"limit\"/>{force}")),
+        (
+            force,
+            &format!(
+                "<CoordinateLimitForce name=\"limit\"><coordinate>_coord_0</coordinate></CoordinateLimitForce>{force}"
+            ),
+        ),
+        (force, &format!("{}{force}", point_of_knee("/jointset/hip_r/_coord_0"))),
         (
             force,
             &format!(
@@ -300,6 +346,9 @@ fn numbers_of_functions_and_names_in_joints_are_guarded() {
         ),
         ("<cordinates>hip</cordinates>".into(), "coordinates is meant"),
         ("<LinearFuncton/>".into(), "LinearFunction is meant"),
+        ("<function><Constants/></function>".into(), "Constant is meant"),
+        ("<MultiplierFuncton/>".into(), "MultiplierFunction is meant"),
+        ("<SimmSpline><x>0 1</x></SimmSpline>".into(), "has 2 numbers, and y 0"),
         (polynomial("0.2, -0.1"), ""),
         ("<GCVSpline><half_order>3</half_order></GCVSpline>".into(), ""),
     ] {
@@ -311,6 +360,22 @@ fn numbers_of_functions_and_names_in_joints_are_guarded() {
             "" => assert!(found.is_empty(), "{found:?}"),
             _ => assert!(found.len() == 1 && found[0].message.to_string().ends_with(text), "{found:?}"),
         }
+    }
+}
+
+#[test]
+fn numbers_of_functions_of_controllers_are_guarded() {
+    let function = |value| {
+        format!(
+            "<ControllerSet name=\"controllerset\"><objects><PrescribedController name=\"c\"><Constant><value>{value}</value></Constant></PrescribedController></objects></ControllerSet><JointSet name=\"jointset\">"
+        )
+    };
+    for (value, is_odd) in [("0,1", true), ("0.1", false)] {
+        let text = TWO_FEET.replacen("<JointSet name=\"jointset\">", &function(value), 1);
+        let model = Model::parse(text).unwrap();
+        let found = model_findings(&model).iter().find(|one| one.code() == FindingCode::OddNumber);
+        let place = found.and_then(|one| one.place.as_deref());
+        assert_eq!(place, is_odd.then_some("/controllerset/c"), "{value}");
     }
 }
 
