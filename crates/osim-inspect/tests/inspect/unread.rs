@@ -116,11 +116,14 @@ fn each_kind_is_reported_once_at_its_place() {
             FindingCode::IgnoredContacts,
             None,
         ),
+        (set, &marker("calcn_r"), FindingCode::ConnecteeByName, Some("/")),
+        (set, &marker("../../../bodyset/calcn_r"), FindingCode::ConnecteeByName, Some("/")),
+        (set, &marker(""), FindingCode::SocketNowhere, Some("/")),
         (
-            set,
-            "<MarkerSet><objects><Marker name=\"m\"><socket_parent_frame>calcn_r</socket_parent_frame></Marker></objects></MarkerSet><ForceSet name=\"forceset\">",
+            force,
+            &format!("{}{force}", point("../../bodyset/calcn_r", "/jointset/hip_r/_coord_0")),
             FindingCode::ConnecteeByName,
-            Some("/"),
+            Some("/forceset/spring"),
         ),
         (
             force,
@@ -148,11 +151,16 @@ fn each_kind_is_reported_once_at_its_place() {
         ),
         (
             force,
-            &format!("{}{force}", point_of_knee("/jointset/hip_r/knee")),
+            &format!("{}{force}", point("/bodyset/calcn_r", "/jointset/hip_r/knee")),
             FindingCode::SocketNowhere,
             Some("/forceset/spring"),
         ),
-        (force, &format!("{}{force}", point_of_knee("_coord_0")), FindingCode::SocketNowhere, None),
+        (
+            force,
+            &format!("{}{force}", point("/bodyset/calcn_r", "_coord_0")),
+            FindingCode::SocketNowhere,
+            None,
+        ),
         (
             "<Ground name=\"ground\" />",
             "<Ground name=\"ground\"><FrameGeometrys name=\"frame_geometry\"/></Ground>",
@@ -220,10 +228,17 @@ fn places_of_ellipsoids_and_nan_of_spheres_are_errors() {
     }
 }
 
-/// A muscle with a path point that follows a coordinate.
-fn point_of_knee(coordinate: &str) -> String {
+/// A path with a point on a frame, which follows a coordinate.
+fn point(frame: &str, coordinate: &str) -> String {
     format!(
-        "<PathSpring name=\"spring\"><path><GeometryPath name=\"path\"><PathPointSet><objects><ConditionalPathPoint name=\"p\"><socket_parent_frame>/bodyset/calcn_r</socket_parent_frame><socket_coordinate>{coordinate}</socket_coordinate></ConditionalPathPoint></objects></PathPointSet></GeometryPath></path></PathSpring>"
+        "<PathSpring name=\"spring\"><path><GeometryPath name=\"path\"><PathPointSet><objects><ConditionalPathPoint name=\"p\"><socket_parent_frame>{frame}</socket_parent_frame><socket_coordinate>{coordinate}</socket_coordinate></ConditionalPathPoint></objects></PathPointSet></GeometryPath></path></PathSpring>"
+    )
+}
+
+/// A set with a marker on a frame, before the forces.
+fn marker(frame: &str) -> String {
+    format!(
+        "<MarkerSet><objects><Marker name=\"m\"><socket_parent_frame>{frame}</socket_parent_frame></Marker></objects></MarkerSet><ForceSet name=\"forceset\">"
     )
 }
 
@@ -240,7 +255,12 @@ fn what_opensim_reads_is_not_reported() {
                 "<CoordinateLimitForce name=\"limit\"><coordinate>_coord_0</coordinate></CoordinateLimitForce>{force}"
             ),
         ),
-        (force, &format!("{}{force}", point_of_knee("/jointset/hip_r/_coord_0"))),
+        (force, &format!("{}{force}", point("../../../../bodyset/calcn_r", "/jointset/hip_r/_coord_0"))),
+        ("<ForceSet name=\"forceset\">", &marker("../../bodyset/calcn_r")),
+        (
+            "<mass>1.5<",
+            "<attached_geometry><Mesh name=\"m\"><socket_frame>nothing</socket_frame></Mesh></attached_geometry><mass>1.5<",
+        ),
         (
             force,
             &format!(

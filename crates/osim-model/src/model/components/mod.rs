@@ -218,7 +218,7 @@ impl Components {
         named.next().is_none().then_some((only, true))
     }
 
-    fn is_frame(&self, id: ComponentId) -> bool {
+    pub(crate) fn is_frame(&self, id: ComponentId) -> bool {
         let tag = self.tag(id);
         tag == "Body" || tag == "Ground" || tag.ends_with("Frame")
     }

@@ -4,7 +4,7 @@ use crate::model::components::{CONNECTEE_ENDING, ComponentId, Connectee};
 use crate::model::contacts::read::{CONTACT_PARAMETERS_SET, ContactReader, Irregularity};
 use crate::model::document::Document;
 use crate::model::fault::FileId;
-use crate::xml::ElementId;
+use crate::xml::{ElementId, Tree};
 
 /// The first version of documents that write all connections as sockets.
 const FIRST_VERSION_WITH_SOCKETS: u32 = 40000;
@@ -14,6 +14,20 @@ fn frame_socket(tag: &str) -> Option<&str> {
     let socket = tag.strip_prefix("socket_").filter(|socket| !socket.ends_with(CONNECTEE_ENDING))?;
     let is_frame = socket == "parent" || ["frame", "body"].iter().any(|word| socket.contains(word));
     is_frame.then_some(socket)
+}
+
+/// A relative path of `object` as it is from the component at `whole` that contains it: each object between them is a step of a path in
+/// OpenSim, but sets of a component are none. `None` if the path does not leave the component.
+fn seen_from_whole<'t>(tree: &Tree, object: ElementId, whole: ElementId, text: &'t str) -> Option<&'t str> {
+    let inside = std::iter::successors(Some(object), |&id| tree.parent(id)).take_while(|&id| id != whole);
+    let is_step = |tag: &str| {
+        tag.starts_with(|letter: char| letter.is_ascii_uppercase())
+            && (tree.name(whole) == "Model" || !tag.ends_with("Set"))
+    };
+    let mut steps = inside.filter(|&id| is_step(tree.name(id)));
+    steps.try_fold(text.trim_start_matches("./"), |rest, _| {
+        rest.strip_prefix("..").map(|rest| rest.strip_prefix('/').unwrap_or(rest))
+    })
 }
 
 fn is_joint_or_frame(tag: &str) -> bool {
@@ -52,18 +66,22 @@ impl ContactReader<'_> {
             let Some(object) = tree.parent(element) else { continue };
             let mut above = std::iter::successors(Some(object), |&id| tree.parent(id));
             let Some(id) = above.find_map(|id| components.at(FileId::MAIN, id)) else { continue };
+            let (tag, text) = (tree.name(object), tree.text_of(element).into_owned());
             let is_component = components.element(id) == object;
-            let text = tree.text_of(element).into_owned();
-            let is_absolute = text.starts_with('/');
-            // Joints and their frames have been looked at; relative paths of objects inside components are left alone.
-            let is_known = is_joint_or_frame(tree.name(object));
-            let is_relative = !is_component && !is_absolute && (text.contains('/') || text.starts_with('.'));
-            if is_known || is_relative || text.is_empty() {
+            let is_relative =
+                !text.starts_with('/') && (text.is_empty() || text.contains('/') || text.starts_with('.'));
+            let is_elsewhere = is_relative && tag != "Marker" && !tag.ends_with("PathPoint");
+            // Joints and their frames have been looked at; of geometry in frames OpenSim ignores the socket; where other objects inside
+            // components look from is not known.
+            if is_joint_or_frame(tag) || (!is_component && (is_elsewhere || components.is_frame(id))) {
                 continue;
             }
+            let seen = seen_from_whole(tree, object, components.element(id), &text);
+            let is_exact = is_component || text.starts_with('/') || seen.is_some();
+            let seen = Connectee { text: seen.unwrap_or(&text).to_owned(), element, legacy: false };
             let connectee = Connectee { text, element, legacy: false };
-            match components.frame_of(id, &connectee) {
-                Some(found) if found.by_name || !(is_component || is_absolute) => {
+            match components.frame_of(id, &seen) {
+                Some(found) if found.by_name || !is_exact => {
                     self.record_component_taken_by_name(id, &connectee, found.component);
                 }
                 Some(_) => {}
