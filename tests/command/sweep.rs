@@ -269,8 +269,10 @@ fn wrong_calls_are_refused_before_anything_is_written() {
         dir.write("bad.osim", fixture(&format!("bad/{bad}.osim")));
         dir.run("sweep bad.osim --grid stiffness=x1,x2 -d out").failed().wrote_nothing();
     }
-    // A number that the sweep leaves alone would be wrong in all variants.
     let human = String::from_utf8(fixture("table1/human_62kg_smooth_sphere.osim")).unwrap();
+    dir.write("bad.osim", human.replacen("<socket_frame>/bodyset/", "<socket_frame>", 1));
+    dir.run("sweep bad.osim --grid stiffness=x1,x2 -d out").failed().wrote_nothing().says(&["leads nowhere"]);
+    // A number that the sweep leaves alone would be wrong in all variants.
     dir.write("bad.osim", human.replacen("<location>", "<location>,", 1));
     dir.run("sweep bad.osim --grid stiffness=x1,x2 -d out")
         .failed()

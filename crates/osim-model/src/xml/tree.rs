@@ -202,6 +202,15 @@ impl Tree {
         Some(decode(found.value))
     }
 
+    /// The names of the attributes of an element.
+    pub fn attribute_names(&self, id: ElementId) -> impl Iterator<Item = &str> {
+        let tag = self.slice(self.open_span(id)).get(1..).unwrap_or_default();
+        let body = tag.trim_end_matches('>').trim_end_matches('/');
+        let mut attributes = quick_xml::events::attributes::Attributes::new(body, self.name(id).len());
+        attributes.with_checks(false);
+        attributes.flatten().map(|attribute| attribute.key.into_inner())
+    }
+
     /// The parent element; `None` for the root.
     #[inline]
     pub fn parent(&self, id: ElementId) -> Option<ElementId> {

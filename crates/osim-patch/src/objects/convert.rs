@@ -58,7 +58,7 @@ pub struct Converted {
     pub renamed: Vec<(String, Vec<String>)>,
     /// Paths of forces without a moving sphere; these forces stay as they are.
     pub without_sphere: Vec<String>,
-    /// Paths of forces with comments and elements that their new forces do not have, and a description of these.
+    /// Paths of forces with content that their new forces do not have, and a description of it.
     pub dropped: Vec<(String, String)>,
 }
 
@@ -89,7 +89,10 @@ pub fn convert(model: &Model, selected: &Selected, wanted: &Convert) -> Result<C
         if force.kind == wanted.to && is_one && !keeps_sphere_inside(model, force) {
             continue;
         }
-        let content = dropped_content(tree, force.element());
+        let mut content = dropped_content(tree, force.element());
+        if force.kind != wanted.to && wanted.to == ForceKind::HuntCrossley {
+            content.extend(dropped_smoothing(model, force, &pairs));
+        }
         if !content.is_empty() {
             dropped.push((force.path.clone(), content.join(", ")));
         }
@@ -185,15 +188,44 @@ fn add_dropped_content(tree: &Tree, parent: ElementId, dropped: &mut Vec<String>
     }
 }
 
-/// The comments and elements of a force that its new forces do not have.
+/// The comments, processing instructions, attributes and elements of a force that its new forces do not have.
 fn dropped_content(tree: &Tree, force: ElementId) -> Vec<String> {
-    let comments = tree.content(force).filter(|piece| piece.kind == PieceKind::Comment);
-    let texts =
-        comments.map(|piece| piece.text.trim_start_matches("<!--").trim_end_matches("-->").trim_ascii());
-    let own = texts.filter(|text| !COMMENTS_OF_OPENSIM.split('|').any(|start| text.starts_with(start)));
-    let mut dropped: Vec<String> = own.map(|text| format!("the comment '{}'", shown(text))).collect();
+    let own = tree.content(force).filter_map(|piece| match piece.kind {
+        PieceKind::Comment => {
+            let text = piece.text.trim_start_matches("<!--").trim_end_matches("-->").trim_ascii();
+            let is_own = !COMMENTS_OF_OPENSIM.split('|').any(|start| text.starts_with(start));
+            is_own.then(|| format!("the comment '{}'", shown(text)))
+        }
+        PieceKind::Other => Some(format!("the instruction {}", shown(piece.text))),
+        _ => None,
+    });
+    let mut dropped: Vec<String> = own.collect();
+    tree.walk(force, |id| {
+        let names = tree.attribute_names(id).filter(|&name| name != "name");
+        dropped.extend(names.map(|name| format!("the attribute {}", shown(name))));
+        tree.name(id) != "components"
+    });
     add_dropped_content(tree, force, &mut dropped);
     dropped
+}
+
+/// The smoothing that is written in a force and that a conversion back to its class would not compute again.
+fn dropped_smoothing(model: &Model, force: &Force, pairs: &[SpherePlanePair]) -> Vec<String> {
+    let tree = model.file(force.file).tree();
+    let sphere = pairs.first().and_then(|pair| model.sphere(pair.sphere));
+    let mut computed = Vec::new();
+    let radius_m = sphere.and_then(|sphere| sphere.radius_m().ok()).unwrap_or(f64::NAN);
+    if add_smoothing(&mut computed, radius_m, &Convert::new(force.kind)).is_err() {
+        return Vec::new();
+    }
+    let values = pairs.first().map(|pair| pair.values.as_slice()).unwrap_or_default();
+    let lost = computed.into_iter().filter_map(|(property, value)| {
+        let &(_, own) = values.iter().find(|(known, _)| *known == property)?;
+        let is_lost =
+            (own - value).abs() > 1e-6 * value && tree.child(force.element(), property.name()).is_some();
+        is_lost.then(|| format!("{property} {}", readable(own)))
+    });
+    lost.collect()
 }
 
 /// Whether `force` contains its sphere as an element, as in Moco 0.1 to 0.3.

@@ -248,10 +248,21 @@ fn a_pair_that_is_pressed_several_times_is_refused_by_name() {
 
 #[test]
 fn content_that_new_forces_do_not_have_is_described() {
-    let own = "<!-- mine --><!--Material properties.--><components><A/></components><appliesForce>true</appliesForce><odd>7</odd>";
+    let own = "<!-- mine --><?pi my?><!--Material properties.--><components><A/></components><appliesForce>true</appliesForce><odd>7</odd>";
     let text =
         foot_document(&hunt_crossley_force("foot", own, &[material_xml("heel floor", "1e6", "2", "0.8")]));
+    let text = text.replace("name=\"foot\"><!--", "name=\"foot\" author=\"me\"><!--");
     let made = convert_text(&text, ForceKind::SmoothSphereHalfSpace);
-    let described = "the comment 'mine', <components>, <odd>";
+    let described =
+        "the comment 'mine', the instruction <?pi my?>, the attribute author, <components>, <odd>";
     assert_eq!(made.dropped, [("/forceset/foot".to_owned(), described.to_owned())]);
+    // Smoothing is dropped if it cannot be computed again: 300 1/m is that of a radius of 0.032 m.
+    for (hertz, is_lost) in [("123", true), ("300", false)] {
+        let smoothing = format!("<hertz_smoothing>{hertz}</hertz_smoothing>");
+        let text = foot_document(&SMOOTH.replace("{own}", &smoothing));
+        let made = convert_text(&text, ForceKind::HuntCrossley);
+        let dropped: Vec<&str> = made.dropped.iter().map(|(_, what)| what.as_str()).collect();
+        let expected: &[&str] = if is_lost { &["hertz_smoothing 123"] } else { &[] };
+        assert_eq!(dropped, expected);
+    }
 }

@@ -165,6 +165,7 @@ fn failure_of_model(open: &OpenModel, finding: &FindingWithRemedy) -> Option<Fai
         FindingCode::OddNumber | FindingCode::NotFinite => "not-a-number",
         FindingCode::OutOfDomain => "out-of-domain",
         FindingCode::OtherVersion
+        | FindingCode::ConnecteeByName
         | FindingCode::SocketNowhere
         | FindingCode::BodyWithoutJoint
         | FindingCode::MisplacedObject
