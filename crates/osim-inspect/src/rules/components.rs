@@ -75,7 +75,10 @@ pub(super) fn find_irregularities(model: &Model) -> Vec<Finding> {
                     "" => format!(
                         "{socket} of {owner} is empty or missing, expected the path of a body or frame"
                     ),
-                    text => format!("{socket} of {owner} is '{text}', which is the path of no frame"),
+                    text => {
+                        let what = if socket == "geometry" { "contact geometry" } else { "frame" };
+                        format!("{socket} of {owner} is '{text}', which is the path of no {what}")
+                    }
                 };
                 found.push(Finding::at(&SOCKET_NOWHERE, *position, text).with_place(owner));
             }

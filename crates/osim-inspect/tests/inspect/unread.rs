@@ -181,6 +181,14 @@ fn each_kind_is_reported_once_at_its_place() {
         ),
         (
             force,
+            &format!(
+                "<ElasticFoundationForce name=\"e\"><contact_parameters><ElasticFoundationForce::ContactParametersSet name=\"contact_parameters\"><objects><ElasticFoundationForce::ContactParameters><geometry>floor /contactgeometryset/toe_r toe</geometry></ElasticFoundationForce::ContactParameters></objects></ElasticFoundationForce::ContactParametersSet></contact_parameters></ElasticFoundationForce>{force}"
+            ),
+            FindingCode::SocketNowhere,
+            Some("/forceset/e"),
+        ),
+        (
+            force,
             &format!("<HuntCrossley name=\"other\"></HuntCrossley>{force}"),
             FindingCode::UnknownName,
             Some("/forceset/other"),

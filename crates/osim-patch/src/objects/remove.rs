@@ -108,7 +108,8 @@ fn remove_others(
     let staying = geometry_references(model.document()).filter(|&element| !gone.covers(&tree.span(element)));
     let texts: Vec<_> = staying.map(|element| tree.text_of(element)).collect();
     let used: HashSet<&str> = texts.iter().flat_map(|text| geometry_names(text)).collect();
-    for id in others.iter().flat_map(|&force| model.surfaces_of_other_class(force)) {
+    let by_force = model.surfaces_of_other_classes();
+    for &id in others.iter().filter_map(|force| by_force.get(force)).flatten() {
         let name = components.name(id).into_owned();
         let stays = components.tag(id) == "ContactHalfSpace" || used.contains(name.as_str());
         if !stays && names.insert(name) {

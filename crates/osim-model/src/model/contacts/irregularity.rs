@@ -1,9 +1,10 @@
 //! Finds parts of a model that are written wrongly and were read all the same.
 
 use crate::model::components::{CONNECTEE_ENDING, ComponentId, Connectee};
-use crate::model::contacts::read::{CONTACT_PARAMETERS_SET, ContactReader, Irregularity};
+use crate::model::contacts::read::{CONTACT_PARAMETERS_SET, ContactReader, GEOMETRY_CLASSES, Irregularity};
 use crate::model::document::Document;
 use crate::model::fault::FileId;
+use crate::xml::opensim_text::list_words;
 use crate::xml::{ElementId, Tree};
 
 /// The first version of documents that write all connections as sockets.
@@ -91,6 +92,34 @@ impl ContactReader<'_> {
                     self.irregularities.push(Irregularity::LeadsNowhere { owner, socket, text, position });
                 }
             }
+        }
+    }
+
+    /// Records a surface of each `ElasticFoundationForce` that is nowhere. OpenSim refuses such a model.
+    pub(super) fn record_surfaces_of_foundations(&mut self) {
+        let components = self.components;
+        let is_geometry = |id: ComponentId| GEOMETRY_CLASSES.contains(&components.tag(id));
+        for (id, component) in components.tree.iter() {
+            if components.tag(id) != "ElasticFoundationForce" || !components.main().is_model() {
+                continue;
+            }
+            let document = components.document(component.file);
+            let tree = document.tree();
+            tree.walk(component.element, |element| {
+                if tree.name(element) != "geometry" {
+                    return true;
+                }
+                let names = tree.text_of(element);
+                let is_lost = |name: &&str| self.geometry_in_model(name, is_geometry).is_none();
+                let lost = list_words(&names).find(is_lost);
+                self.irregularities.extend(lost.map(|name| Irregularity::LeadsNowhere {
+                    owner: components.tree.path(id),
+                    socket: "geometry".to_owned(),
+                    text: name.to_owned(),
+                    position: document.position_of(element),
+                }));
+                true
+            });
         }
     }
 

@@ -272,14 +272,19 @@ impl Model {
         surfaces
     }
 
-    /// The contact geometry of a force of another class.
-    pub fn surfaces_of_other_class(&self, force: ComponentId) -> Vec<ComponentId> {
+    /// The contact geometry of forces of other classes, by force.
+    pub fn surfaces_of_other_classes(&self) -> HashMap<ComponentId, Vec<ComponentId>> {
         let components = self.components();
-        let named = |(of, name): (ComponentId, String)| {
-            let mut all = components.tree.iter().map(|(id, _)| id).filter(|_| of == force);
-            all.find(|&id| GEOMETRY_CLASSES.contains(&components.tag(id)) && components.name(id) == name)
-        };
-        self.surfaces_of_foundations().into_iter().filter_map(named).collect()
+        let all = components.tree.iter().map(|(id, _)| id);
+        let mut by_name = HashMap::new();
+        for id in all.filter(|&id| GEOMETRY_CLASSES.contains(&components.tag(id))) {
+            by_name.entry(components.name(id).into_owned()).or_insert(id);
+        }
+        let mut by_force: HashMap<ComponentId, Vec<ComponentId>> = HashMap::new();
+        for (force, name) in self.surfaces_of_foundations() {
+            by_force.entry(force).or_default().extend(by_name.get(&name));
+        }
+        by_force
     }
 
     /// The switched-on forces of other contact classes that press a moving body on ground.
@@ -293,9 +298,10 @@ impl Model {
             let frame = components.frame_at(surface, "frame", &["body_name"])?;
             Some(self.skeleton().is_fixed(components.base(frame.component).ok()?))
         };
+        let by_force = self.surfaces_of_other_classes();
         let meets_ground = |id: ComponentId| {
-            let surfaces: Vec<bool> =
-                self.surfaces_of_other_class(id).into_iter().filter_map(is_fixed).collect();
+            let own = by_force.get(&id).into_iter().flatten();
+            let surfaces: Vec<bool> = own.filter_map(|&surface| is_fixed(surface)).collect();
             components.tag(id) != "ElasticFoundationForce"
                 || (surfaces.contains(&true) && surfaces.contains(&false))
         };

@@ -72,6 +72,7 @@ impl<'r> ContactReader<'r> {
             }
         }
         self.record_other_sockets();
+        self.record_surfaces_of_foundations();
         Ok(())
     }
 
@@ -213,7 +214,11 @@ impl<'r> ContactReader<'r> {
         fault
     }
 
-    fn geometry_in_model(&self, name: &str, accept: impl Fn(ComponentId) -> bool) -> Option<ComponentId> {
+    pub(super) fn geometry_in_model(
+        &self,
+        name: &str,
+        accept: impl Fn(ComponentId) -> bool,
+    ) -> Option<ComponentId> {
         let root = self.components.tree.data_root()?;
         let from_root = self.components.tree.at_path(root, name).filter(|&id| accept(id));
         let in_set = || self.components.tree.at_path(root, &format!("/contactgeometryset/{name}"));
