@@ -82,6 +82,7 @@ def forked(function, jobs):
             child = os.fork()
             if child == 0:
                 try:
+                    os.dup2(2, 1)  # what OpenSim prints is no answer
                     os.chdir(tempfile.mkdtemp(dir=folder))
                     answer.write_text(json.dumps(answer_of(function, job)), encoding="utf-8")
                 finally:

@@ -5,7 +5,7 @@ The model has bodies on PlanarJoints of the ground and forces, the k-th force fo
 normal force and keeps Simbody from dividing 0 by 0: SmoothSphereHalfSpaceForce divides by the square root of
 constant_contact_force plus the squared slip speed, even without friction, so that cf = 0 at no slip is NaN.
 
-Each state gives a list of the vertical forces on the bodies.
+Each state gives a list of the vertical forces on the bodies, or of those along the ground (X).
 """
 
 from pathlib import Path
@@ -16,16 +16,16 @@ SLIDE = 1.0  # m/s
 FIXED = ("ground", "HalfSpace")  # in the records of HuntCrossleyForce and of SmoothSphereHalfSpaceForce
 
 
-def forces(model, states):
+def forces(model, states, axis="Y"):
     """`[state][body]`, in N; the caller's process stays free of OpenSim."""
-    return run_one_job("opensim_forces", [str(Path(model).absolute()), states])
+    return run_one_job("opensim_forces", [str(Path(model).absolute()), states, axis])
 
 
 def run_job(job):
     """Computes the forces in this process."""
     import opensim
 
-    path, states = job
+    path, states, axis = job
     model = opensim.Model(path)
     state = model.initSystem()
     joints, contacts = model.getJointSet(), model.getForceSet()
@@ -39,7 +39,7 @@ def run_job(job):
             up.setValue(state, height, False)
             up.setSpeedValue(state, -rate)
         model.realizeDynamics(state)
-        result.append([vertical(force, state) for force in contacts])
+        result.append([along_axis(force, state, axis) for force in contacts])
     return result
 
 
@@ -51,9 +51,9 @@ def planar(joint):
     return [joint.get_coordinates(k) for k in (1, 2)]
 
 
-def vertical(force, state):
-    """The vertical force on the moving body, out of the record of the forces and torques on both."""
+def along_axis(force, state, axis):
+    """The force on the moving body along an axis, out of the record of the forces and torques on both."""
     labels, values = force.getRecordLabels(), force.getRecordValues(state)
     words = [labels.get(k).split(".") for k in range(values.size())]
-    (place,) = [k for k, (_, on, *rest) in enumerate(words) if rest == ["force", "Y"] and on not in FIXED]
+    (place,) = [k for k, (_, on, *rest) in enumerate(words) if rest == ["force", axis] and on not in FIXED]
     return values.get(place)

@@ -1,4 +1,4 @@
-"""The vertical force of each contact force on the body of a model with one FreeJoint, with the body's origin at given heights."""
+"""The vertical force of each contact force on the body of a model with one FreeJoint, with the body's origin at given heights; 0 if it is off."""
 
 import os
 from pathlib import Path
@@ -33,5 +33,5 @@ def at_height(model, state, up, height):
         labels, values = force.getRecordLabels(), force.getRecordValues(state)
         names = [labels.get(place).split(".") for place in range(values.size())]
         of_body = [place for place, (_, on, *rest) in enumerate(names) if rest == ["force", "Y"] and on not in FIXED]
-        result[force.getName()] = sum(values.get(place) for place in of_body)
+        result[force.getName()] = sum(values.get(place) for place in of_body) if force.appliesForce(state) else 0.0
     return result

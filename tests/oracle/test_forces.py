@@ -1,4 +1,4 @@
-"""The normal force of both classes against the real OpenSim, from well before contact to half a radius deep.
+"""The forces of both classes against the real OpenSim, the normal force from well before contact to half a radius deep.
 
 The indentation is R - h for OpenSim, with h the height of the sphere's centre: for h near R that difference has lost
 digits, but it is exact in itself (or rounded once), and Python's doubles make the same one. So a height is chosen near
@@ -7,6 +7,7 @@ rounded on the way: the joint's angle is 0, the floor's frame is turned by a qua
 lengths of 0, and the height goes through the joint unchanged.
 """
 
+import re
 import subprocess
 import sys
 from dataclasses import dataclass, field
@@ -17,7 +18,7 @@ import pytest
 
 import command
 from models import FIXTURES
-from opensim_forces import forces
+from opensim_forces import SLIDE, forces
 
 sys.path.insert(0, str(FIXTURES))
 
@@ -202,3 +203,37 @@ def test_normal_force_is_opensims(group, tmp_path):
     worst = int(np.argmax(result))  # a NaN, if there is one
     assert result[worst] <= TOLERANCE, (result[worst], cases[worst])
     assert sum(their > 0 for their in theirs) > len(theirs) / 4, "hardly any contact in the grid"
+
+
+# Static, dynamic and viscous friction (s/m), transition velocity (m/s), and what `check` says of them.
+FRICTIONS = (
+    ((0.8, 0.8, 0.5, 0.2), None),
+    ((0.2, 0.8, 0.0, 0.7), ("dynamic-above-static", "warning")),
+    ((2.5, 0.8, 0.0, 0.7), ("large-friction", "warning")),
+    ((0.8, 0.8, 12.0, 0.2), ("large-friction", "warning")),
+    ((0.8, 0.8, 5.0, 0.2), ("large-friction", "remark")),
+    ((0.8, 0.8, 0.0, 200.0), ("odd-transition-velocity", "warning")),
+    ((0.8, 0.6, 0.0, 0.0), ("odd-transition-velocity", "remark")),
+    ((0.0, 0.0, 0.0, 0.2), ("no-friction", "remark")),
+)
+CODES_OF_FRICTION = {said[0] for _, said in FRICTIONS if said}
+
+
+@pytest.mark.parametrize("kind", ["SmoothSphereHalfSpaceForce", HUNT_CROSSLEY])
+@pytest.mark.parametrize(("numbers", "said"), FRICTIONS)
+def test_friction_is_simbodys_at_the_limits_of_check_too(kind, numbers, said, tmp_path):
+    static, dynamic, viscous, transition = numbers
+    smoothing = dict(zip(SMOOTHING, (1e-5, 300.0, 50.0))) if kind != HUNT_CROSSLEY else {}
+    written = model([Contact(kind, 0.032, 1e6, 2.0, smoothing)])
+    for name, value in zip((*FRICTION, "transition_velocity"), numbers, strict=True):
+        written, count = re.subn(f"<{name}>[^<]*<", f"<{name}>{value!r}<", written)
+        assert count == 1, name
+    path = tmp_path / "contact.osim"
+    path.write_text(written, encoding="utf-8")
+    (normal,), (along,) = (forces(path, [[(0.03, 0.0)]], axis)[0] for axis in "YX")
+    slip = np.sqrt(SLIDE**2 + smoothing.get("constant_contact_force", 0.0))
+    relative = slip / transition if transition else np.inf
+    coefficient = min(relative, 1.0) * (dynamic + 2 * (static - dynamic) / (1 + relative**2)) + viscous * slip
+    assert along == pytest.approx(-normal * coefficient * SLIDE / slip, rel=1e-12)
+    found = {(one["code"], one["severity"]) for one in command.run("check", path).report["findings"]}
+    assert {one for one in found if one[0] in CODES_OF_FRICTION} == ({said} if said else set())

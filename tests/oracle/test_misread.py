@@ -1,4 +1,4 @@
-"""Numbers and flags that OpenSim cannot read: where one changes a pose, a mass or a contact force of OpenSim's, `check` has an error there.
+"""Numbers, flags and sockets that OpenSim cannot read: where one changes a pose, a mass or a contact force of OpenSim's, `check` has an error there.
 
 In six published models, one element of each property is damaged; `ORACLE_ELEMENTS=all` damages each element outside muscles.
 """
@@ -7,6 +7,7 @@ import json
 import os
 import random
 import re
+import shutil
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
@@ -15,7 +16,8 @@ import pytest
 import apart
 import command
 import opensim_shifts
-from models import CORPUS, NO_CORPUS
+from models import CORPUS, FIXTURES, NO_CORPUS
+from opensim_shapes import pressed
 
 MODELS = (
     "v40000_falisse_2022_human",
@@ -26,8 +28,8 @@ MODELS = (
     "v20302_dynamic_jumper",
 )
 ALL = os.environ.get("ORACLE_ELEMENTS") == "all"
-# No pose, mass or contact force depends on numbers in these elements.
-WITHOUT_EFFECT = re.compile("Muscle|Path|Wrap|Marker|Probe|Controller|Actuator|LimitForce|Spring|Appearance|credits|publications")
+# Numbers of muscles are left out, and texts in words.
+WITHOUT_EFFECT = re.compile("Muscle|credits|publications")
 NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?")
 
 
@@ -119,3 +121,45 @@ def errors(path):
     if outcome.error:
         return [outcome.error.get("line")]
     return [finding["line"] for finding in outcome.report["findings"] if finding["severity"] == "error"]
+
+
+OLD, ELASTIC = "format/v30000.osim", "shapes/elastic_foundation.osim"
+ENABLED, OFF, DISABLED = "<isDisabled>false</isDisabled>", "<appliesForce>false</appliesForce>", "<isDisabled>true</isDisabled>"
+MESH = '<ElasticFoundationForce name="mesh">'
+SMOOTH = '<SmoothSphereHalfSpaceForce name="contact_heel_r">'
+
+
+@pytest.mark.parametrize(
+    ("model", "old", "new", "is_on", "is_said"),
+    [
+        (OLD, ENABLED, ENABLED, True, False),
+        (OLD, ENABLED, DISABLED, False, False),
+        (OLD, ENABLED, OFF, False, False),
+        (OLD, ENABLED, ENABLED + OFF, True, True),  # the first of both counts
+        (OLD, ENABLED, OFF + ENABLED, False, False),
+        (ELASTIC, MESH, MESH + DISABLED, True, True),  # documents from 30509 on have no isDisabled
+        (ELASTIC, MESH, MESH + OFF, False, False),
+        (ELASTIC, MESH, MESH + OFF.replace("false", "no"), True, True),
+        ("check/within_limits.osim", SMOOTH, SMOOTH + DISABLED, True, True),
+        ("check/within_limits.osim", SMOOTH, SMOOTH + OFF, False, False),
+    ],
+)
+def test_flags_are_read_as_opensim_reads_them(model, old, new, is_on, is_said, tmp_path):
+    shutil.copy(FIXTURES / "shapes/sole.obj", tmp_path)
+    path, text = tmp_path / "model.osim", (FIXTURES / model).read_text()
+    assert old in text
+    path.write_text(text.replace(old, new, 1))
+    name = "mesh" if model == ELASTIC else "contact_heel_r"
+    assert (pressed(path, [0.01])[0][name] > 1.0) == is_on
+    assert bool(errors(path)) == is_said
+
+
+def test_exchanged_sockets_are_refused_and_said_to_be_that(tmp_path):
+    text = (FIXTURES / "check/within_limits.osim").read_text()
+    sphere, plane = "/contactgeometryset/heel_r<", "/contactgeometryset/floor<"
+    path = tmp_path / "exchanged.osim"
+    path.write_text(text.replace(sphere, "@").replace(plane, sphere).replace("@", plane))
+    with pytest.raises(apart.Refused, match="Socket 'sphere' of type ContactSphere|Socket 'half_space' of type ContactHalfSpace"):
+        pressed(path, [0.025])
+    outcome = command.run("check", path)
+    assert outcome.status == 1 and "the sockets of sphere and half-space are exchanged" in outcome.error["message"]

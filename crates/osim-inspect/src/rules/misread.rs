@@ -93,6 +93,13 @@ const OLD_BUSHING_TEXTS: &[WrittenProperties] = &[(
     OldNumbers(Some(3)),
     None,
 )];
+/// How OpenSim reads the properties of the stop of a joint: it refuses one without a transition.
+const LIMIT_TEXTS: &[WrittenProperties] = &[
+    (&["upper_stiffness", "lower_stiffness"], Numbers(1), Some("1")),
+    (&["upper_limit", "lower_limit"], Numbers(1), Some("0")),
+    (&["damping"], Numbers(1), Some("0.001")),
+    (&["transition"], Numbers(1), Some("0.1")),
+];
 /// How OpenSim reads the properties of a constraint that the default pose depends on.
 const CONSTRAINT_TEXTS: &[WrittenProperties] = &[
     (&["isEnforced"], Flag, Some("true")),
@@ -169,6 +176,7 @@ fn written_properties(class: &str) -> &'static [WrittenProperties] {
             ),
         ],
         "BushingForce" => OLD_BUSHING_TEXTS,
+        "CoordinateLimitForce" => LIMIT_TEXTS,
         _ if class.ends_with("Frame") => FRAME_TEXTS,
         _ if class.ends_with("Joint") => JOINT_TEXTS,
         _ if class.ends_with("Constraint") => CONSTRAINT_TEXTS,
@@ -284,8 +292,16 @@ pub(super) fn find_misread_texts(model: &Model) -> Vec<Finding> {
 
 /// Whether poses, masses or contact forces depend on components of the class `tag`.
 fn is_read(tag: &str) -> bool {
-    let others =
-        ["Model", "Ground", "Body", "BushingForce", "ContactSphere", "ContactEllipsoid", "ContactHalfSpace"];
+    let others = [
+        "Model",
+        "Ground",
+        "Body",
+        "BushingForce",
+        "CoordinateLimitForce",
+        "ContactSphere",
+        "ContactEllipsoid",
+        "ContactHalfSpace",
+    ];
     others.contains(&tag)
         || FORCE_CLASSES.contains(&tag)
         || ["Frame", "Joint", "Constraint"].iter().any(|ending| tag.ends_with(ending))
@@ -326,7 +342,8 @@ fn misread_text(
             return Some((&ODD_NUMBER, text));
         }
         // A coordinate may be without bounds.
-        let is_fine = |value: &f64| value.is_finite() || (tag == "range" && !value.is_nan());
+        let is_bound = tag == "range" || tag.ends_with("_limit");
+        let is_fine = |value: &f64| value.is_finite() || (is_bound && !value.is_nan());
         let listed = || format!("is {}", in_words(&read));
         return (!read.iter().all(is_fine)).then(|| (&NOT_FINITE, listed()));
     }

@@ -391,19 +391,21 @@ fn numbers_of_functions_and_names_in_joints_are_guarded() {
     }
 }
 
+/// OpenSim 4.6 refuses a function of a controller that it cannot read, and a stop of a joint with a transition of 0.
 #[test]
-fn numbers_of_functions_of_controllers_are_guarded() {
-    let function = |value| {
-        format!(
-            "<ControllerSet name=\"controllerset\"><objects><PrescribedController name=\"c\"><Constant><value>{value}</value></Constant></PrescribedController></objects></ControllerSet><JointSet name=\"jointset\">"
-        )
-    };
-    for (value, is_odd) in [("0,1", true), ("0.1", false)] {
-        let text = TWO_FEET.replacen("<JointSet name=\"jointset\">", &function(value), 1);
-        let model = Model::parse(text).unwrap();
-        let found = model_findings(&model).iter().find(|one| one.code() == FindingCode::OddNumber);
-        let place = found.and_then(|one| one.place.as_deref());
-        assert_eq!(place, is_odd.then_some("/controllerset/c"), "{value}");
+fn numbers_of_controllers_and_of_stops_of_joints_are_guarded() {
+    let controller = "<ControllerSet name=\"controllerset\"><objects><PrescribedController name=\"c\"><Constant><value>@</value></Constant></PrescribedController></objects></ControllerSet>";
+    let stop = "<CoordinateLimitForce name=\"c\"><coordinate>_coord_0</coordinate><transition>@</transition></CoordinateLimitForce>";
+    for (before, object, place) in [
+        ("<JointSet name=\"jointset\">", controller, "/controllerset/c"),
+        ("<HuntCrossleyForce name=\"contact_r\">", stop, "/forceset/c"),
+    ] {
+        for (value, is_odd) in [("0,1", true), ("0.1", false)] {
+            let new = format!("{}{before}", object.replace('@', value));
+            let model = Model::parse(TWO_FEET.replacen(before, &new, 1)).unwrap();
+            let found = model_findings(&model).iter().find(|one| one.code() == FindingCode::OddNumber);
+            assert_eq!(found.and_then(|one| one.place.as_deref()), is_odd.then_some(place), "{value}");
+        }
     }
 }
 
