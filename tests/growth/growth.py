@@ -51,7 +51,7 @@ VERBS = {
     "inspect mass": (["inspect", MODEL, "--target-mass", "50"], ["forces", "bodies"]),
     "check": (["check", MODEL], ALL),
     "check --from": (["check", MODEL, "--from", "GENERIC"], ["forces", "bodies"]),
-    "add": (["add", MODEL, "--from", "GENERIC", "--replace", "-o", OUT], ["forces", "bodies"]),
+    "add": (["add", MODEL, "--from", "GENERIC", "--replace", "-o", OUT], ["forces", "bodies", "foundations"]),
     "add level": (["add", MODEL, "--from", "GENERIC", "--replace", "--level", "-o", OUT], ["forces"]),
     "add table": (["add", MODEL, "--contacts", "PLACES", "--replace", *SPHERE_OPTIONS, "-o", OUT], ["places"]),
     "add table from": (["add", MODEL, "--contacts", "PLACES", "--from", "GENERIC", "--replace", "-o", OUT], ["places"]),
@@ -77,6 +77,7 @@ VERBS = {
     "remove some": (["remove", MODEL, "--exclude", "f*0", "-o", OUT], ["forces"]),
     "convert": (["convert", MODEL, "--to", "hunt-crossley", "-o", OUT], ["forces", "spheres", "same name", "defaults"]),
     "convert smooth": (["convert", MODEL, "--to", "smooth", "-o", OUT], ["named", "one force", "apart", "many sets", "radii"]),
+    "sockets": (["convert", MODEL, "--sockets", "-o", OUT], ["bare sockets"]),
     "sweep": (["sweep", MODEL, "--grid", "stiffness=x1,x2", "-d", OUT, "--jobs", "1"], ["forces"]),
     "ladder": (["sweep", MODEL, "--ladder", "2", *DESIGN_OPTIONS, "-d", OUT, "--jobs", "1"], ["forces"]),
     "steps": (["sweep", "SMALL", "--ladder", "COUNT", *DESIGN_OPTIONS, "-d", OUT, "--jobs", "1"], ["files"]),
@@ -86,11 +87,16 @@ VERBS = {
     "check files": (["check", "FOLDER"], ["files"]),
     "add files": (["add", "FOLDER", "--from", "SMALL", "--replace", "-d", OUT, "--jobs", "1"], ["files"]),
     "convert files": (["convert", "FOLDER", "--to", "hunt-crossley", "-d", OUT, "--jobs", "1"], ["files"]),
+    "set files": (["set", "FOLDER", "stiffness=x2", "-d", OUT, "--jobs", "1"], ["files"]),
+    "design files": (["design", "FOLDER", "--indentation", "0.1", "-d", OUT, "--jobs", "1"], ["files"]),
+    "transfer files": (["transfer", "FOLDER", "--from", "SMALL", "-d", OUT, "--jobs", "1"], ["files"]),
+    "note files": (["note", "FOLDER", "--contacts-mass", "80", "-d", OUT, "--jobs", "1"], ["files"]),
+    "remove files": (["remove", "FOLDER", "-d", OUT, "--jobs", "1"], ["files"]),
     "batch": (["batch", "TABLE", "-d", OUT, "--jobs", "1"], ["files"]),
     "points": (["sweep", "SMALL", "--grid", "stiffness=x1..x2/COUNT", "-d", OUT, "--jobs", "1"], ["files"]),
 }
 for words, kinds in VERBS.values():
-    if MODEL in words and not {"PLATES", "PLACES"} & set(words):
+    if MODEL in words and not {"PLATES", "PLACES", "--sockets"} & set(words):
         kinds += [kind for kind in COMMON if kind not in kinds]
 
 

@@ -104,6 +104,20 @@ def shared_by_all(n):
     return model(feet(2), spheres(max(n, 8), foot), some)
 
 
+def bare_sockets(n):
+    """A model as of `forces`, with a marker for each sphere, and bare names where OpenSim needs paths."""
+    markers = [f'<Marker name="m{i}"><socket_parent_frame>{foot(i)}</socket_parent_frame></Marker>' for i in range(n)]
+    some = [smooth(i, i, of=n).replace("/contactgeometryset/", "") for i in range(n)]
+    bare = [one.replace("/bodyset/", "") for one in spheres(n, foot)]
+    return model(feet(2), bare, some, f"<MarkerSet><objects>{''.join(markers)}</objects></MarkerSet>")
+
+
+def foundations(n):
+    """A model as of `forces`, and n forces of another class."""
+    others = [hunt_crossley(i, f"s{i} floor").replace("HuntCrossley", "ElasticFoundation").replace('"f', '"e') for i in range(n)]
+    return model(feet(2), spheres(n, foot), [*(smooth(i, i, of=n) for i in range(n)), *others])
+
+
 def same_name(n):
     """n forces with one and the same name."""
     some = [smooth(i, i, of=n).replace(f'name="f{i}"', 'name="f"') for i in range(n)]
@@ -140,6 +154,8 @@ KINDS = {
     "radii": radii,
     "many sets": many_sets,
     "shared+": shared_by_all,
+    "bare sockets": bare_sockets,
+    "foundations": foundations,
     "same name": same_name,
     "findings": sunk_in,
     "brackets": brackets,

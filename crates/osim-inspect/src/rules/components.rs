@@ -302,7 +302,9 @@ rule! { pub(super) NOT_HERTZ: NotHertz, Remark;
 fn find_not_hertz(model: &Model, id: ComponentId, carriers: &[ComponentId]) -> Option<Finding> {
     let components = model.components();
     let tag = components.tag(id);
-    if !OTHER_CONTACT_CLASSES.contains(&tag) || carriers.iter().skip(1).any(|&other| other == id) {
+    // Carriers are in the order of the tree.
+    let is_later = carriers.binary_search(&id).is_ok_and(|at| at > 0);
+    if !OTHER_CONTACT_CLASSES.contains(&tag) || is_later {
         return None;
     }
     let path = components.tree.path(id);
