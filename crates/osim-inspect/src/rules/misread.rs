@@ -206,7 +206,7 @@ fn members_of_list(tag: &str, parent: &str) -> &'static [&'static str] {
         ("objects", "CoordinateSet") => &["Coordinate"],
         ("coordinates", joint) if joint.ends_with("Joint") => &["Coordinate"],
         ("CoordinateSet", _) => &["objects"],
-        ("Ground", _) => PARTS_OF_FRAME,
+        ("Ground", _) => &PARTS_OF_FRAME,
         ("function" | "coupled_coordinates_function" | "prescribed_function", _) => PARTS_OF_AXIS,
         _ => &[],
     }
@@ -215,7 +215,7 @@ fn members_of_list(tag: &str, parent: &str) -> &'static [&'static str] {
 /// The names of coordinates in a coupler.
 const COUPLED_NAMES: [&str; 2] = ["independent_coordinate_names", "dependent_coordinate_name"];
 /// What OpenSim refuses in a frame if it does not know its name.
-const PARTS_OF_FRAME: &[&str] = &["FrameGeometry", "frame_geometry"];
+const PARTS_OF_FRAME: [&str; 2] = ["FrameGeometry", "frame_geometry"];
 
 /// Finds texts of numbers and flags that OpenSim reads as other values than are written, or that are not finite. OpenSim silently takes its
 /// default if it cannot read a text.
@@ -232,18 +232,21 @@ pub(super) fn find_misread_texts(model: &Model) -> Vec<Finding> {
         tree.walk(component.element, |element| {
             let parent = tree.parent(element).filter(|_| element != component.element);
             let class = tree.name(element);
-            // Other components are in these elements; functions of controllers are in none.
-            let is_left_out = match tag {
+            // Other components are in these elements.
+            let is_component_list = match tag {
                 "Model" => class != "ControllerSet",
                 _ => ["components", "frames", "Joint"].contains(&class),
             };
-            if parent == Some(component.element) && is_left_out {
+            if parent == Some(component.element) && is_component_list {
                 return false;
             }
-            // Names of properties are in lower case.
+            // Names of properties are in lower case. Of controllers, only functions are looked at.
             let is_object = class.starts_with(|letter: char| letter.is_ascii_uppercase());
-            let all = if is_object { written_properties(class) } else { &[] };
-            let members = members_of_list(class, parent.map_or("", |parent| tree.name(parent)));
+            let is_of_controller = tag == "Model" && parent.is_some();
+            let is_looked_at = is_object && (!is_of_controller || PARTS_OF_AXIS.contains(&class));
+            let all = if is_looked_at { written_properties(class) } else { &[] };
+            let above = parent.map_or("", |parent| tree.name(parent));
+            let members = if !is_of_controller { members_of_list(class, above) } else { &[] };
             found.extend(find_unknown_children(model, component.file, element, (members, &mut meant)));
             if all.is_empty() {
                 return true;
@@ -255,7 +258,7 @@ pub(super) fn find_misread_texts(model: &Model) -> Vec<Finding> {
                     "CoordinateCouplerConstraint" => {
                         &["coupled_coordinates_function", COUPLED_NAMES[0], COUPLED_NAMES[1]]
                     }
-                    _ if class.ends_with("Frame") => PARTS_OF_FRAME,
+                    _ if class.ends_with("Frame") => &PARTS_OF_FRAME,
                     _ if class.ends_with("Joint") => {
                         &["frames", "coordinates", "CoordinateSet", "SpatialTransform", "parent_body"]
                     }
