@@ -2,10 +2,10 @@
 
 use std::ops::Range;
 
-use osim_model::Side;
+use osim_model::{DVec3, Side};
 
 use crate::feet::{Foot, LIFT_OFF_BW, TOUCH_DOWN_BW};
-use crate::plate_comparison::percentile;
+use crate::plate_comparison::{level_distance_m, percentile};
 use crate::{ContactState, ContactStates, Plate, Wrench};
 
 /// The source of the knowledge which foot a plate measured.
@@ -17,6 +17,8 @@ pub enum AssignedBy {
     Name,
     /// The distance to the centre of pressure: in each frame the nearest foot, among those that may be on the plate.
     Nearest,
+    /// As `Nearest`, although the loads or names say one foot for all plates: another foot is on one of them.
+    NearestOfAll,
     OnlyFoot,
     /// The plate measures nothing, so that its foot does not matter.
     Idle,
@@ -61,7 +63,18 @@ impl MeasuredForces {
             true => PlateAssignment { plate: plate.name.clone(), foot: None, by: Some(AssignedBy::Idle) },
             false => assign_plate(plate, feet),
         };
-        let uses: Vec<PlateAssignment> = plates.iter().map(assign).collect();
+        let mut uses: Vec<PlateAssignment> = plates.iter().map(assign).collect();
+        let mut may_be_on: Vec<Vec<usize>> = plates.iter().map(|plate| candidate_feet(plate, feet)).collect();
+        let least_n = TOUCH_DOWN_BW * weight_n;
+        if let Some(foot) = foot_of_all_plates(&uses)
+            && plates.iter().any(|plate| is_under_another_foot(plate, foot, feet, states, least_n))
+        {
+            let said = uses.iter_mut().zip(&mut may_be_on).filter(|(usage, _)| usage.foot.is_some());
+            for (usage, may_be_on) in said {
+                (usage.foot, usage.by) = (None, Some(AssignedBy::NearestOfAll));
+                *may_be_on = (0..feet.len()).collect();
+            }
+        }
         let frames = states.frames();
         let mut measured = Self {
             feet: vec![vec![Some(Wrench::default()); frames]; feet.len()],
@@ -70,14 +83,14 @@ impl MeasuredForces {
             has_points: vec![true; feet.len()],
             uses,
         };
-        let uses = measured.uses.clone();
-        for (plate, usage) in plates.iter().zip(&uses).filter(|(_, usage)| usage.by != Some(AssignedBy::Idle))
-        {
-            measured.add_plate(plate, usage, feet, states, weight_n);
+        let all = measured.uses.clone().into_iter().zip(&may_be_on);
+        for (plate, (usage, may_be_on)) in plates.iter().zip(all) {
+            if usage.by != Some(AssignedBy::Idle) {
+                measured.add_plate(plate, (usage.by, may_be_on.as_slice()), feet, states, least_n);
+            }
         }
         measured.clear_frames_beside_plates(feet, states, weight_n);
-        let is_on_none =
-            |foot: &usize| !plates.iter().any(|plate| candidate_feet(plate, feet).contains(foot));
+        let is_on_none = |foot: &usize| !may_be_on.iter().any(|feet| feet.contains(foot));
         (0..feet.len()).filter(is_on_none).for_each(|foot| measured.feet[foot].fill(None));
         measured
     }
@@ -121,19 +134,17 @@ impl MeasuredForces {
     fn add_plate(
         &mut self,
         plate: &Plate,
-        usage: &PlateAssignment,
+        (by, may_be_on): (Option<AssignedBy>, &[usize]),
         feet: &[Foot],
         states: &ContactStates,
-        weight_n: f64,
+        least_n: f64,
     ) {
-        let may_be_on = candidate_feet(plate, feet);
         for (frame, &time_s) in states.time_s.iter().enumerate() {
             let wrench = plate.at(time_s);
             add_to_frame(&mut self.total, frame, wrench);
-            match (usage.by, wrench) {
-                (Some(AssignedBy::Nearest), Some(wrench)) => {
-                    let least_n = TOUCH_DOWN_BW * weight_n;
-                    if let Some(foot) = nearest_foot(&wrench, feet, &may_be_on, states, frame, least_n) {
+            match (by, wrench) {
+                (Some(AssignedBy::Nearest | AssignedBy::NearestOfAll), Some(wrench)) => {
+                    if let Some(foot) = nearest_foot(&wrench, feet, may_be_on, states, frame, least_n) {
                         add_to_frame(&mut self.feet[foot], frame, Some(wrench));
                     }
                 }
@@ -144,7 +155,7 @@ impl MeasuredForces {
                 }
             }
         }
-        may_be_on.into_iter().for_each(|foot| self.has_points[foot] &= plate.has_points);
+        may_be_on.iter().for_each(|&foot| self.has_points[foot] &= plate.has_points);
     }
 }
 
@@ -184,6 +195,39 @@ fn assign_plate(plate: &Plate, feet: &[Foot]) -> PlateAssignment {
         _ => (None, None),
     };
     PlateAssignment { plate: plate.name.clone(), foot, by }
+}
+
+/// A centre of pressure that is farther from its foot belongs to another, if that is as near, m.
+pub(crate) const SWAPPED_FOOT_DISTANCE_M: f64 = 0.1;
+
+/// The foot that all of several plates are said to measure, without plates that measure nothing.
+fn foot_of_all_plates(uses: &[PlateAssignment]) -> Option<usize> {
+    let mut loaded = uses.iter().filter(|usage| usage.by != Some(AssignedBy::Idle)).map(|usage| usage.foot);
+    let first = loaded.next()?;
+    let others: Vec<Option<usize>> = loaded.collect();
+    first.filter(|_| !others.is_empty() && others.iter().all(|foot| *foot == first))
+}
+
+/// Whether a plate's centre of pressure is far from `foot`, and near another foot.
+fn is_under_another_foot(
+    plate: &Plate,
+    foot: usize,
+    feet: &[Foot],
+    states: &ContactStates,
+    least_n: f64,
+) -> bool {
+    let distance_m = |foot: &Foot| {
+        let (normal, on_floor_m) = foot.floor(states)?;
+        let in_frame = |(frame, &time_s): (usize, &f64)| {
+            let centre = plate.at(time_s)?.centre_of_pressure(normal, on_floor_m, least_n)?;
+            let spheres: Vec<DVec3> = foot.contacts(states, frame).map(|state| state.centre_m).collect();
+            Some(level_distance_m(centre.point_m, &spheres, normal))
+        };
+        let all: Vec<f64> = states.time_s.iter().enumerate().filter_map(in_frame).collect();
+        percentile(&all, 0.5)
+    };
+    let is_near = |foot: &Foot| distance_m(foot).is_some_and(|away_m| away_m < SWAPPED_FOOT_DISTANCE_M);
+    plate.has_points && !is_near(&feet[foot]) && feet.iter().any(is_near)
 }
 
 /// The foot among `indices` with the sphere nearest to the centre of pressure; `None` if the force is not above `least_n`. The

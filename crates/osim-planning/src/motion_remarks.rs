@@ -189,6 +189,10 @@ impl MotionResult {
                 plate.plate
             ));
         }
+        if measured.uses.iter().any(|plate| plate.by == Some(AssignedBy::NearestOfAll)) {
+            let text = "all plates are said to be under one foot, and another foot is on one of them:";
+            remarks.add("plates-on-one-foot", format!("{text} each force counts for the foot nearest to it"));
+        }
         let is_unmeasured = |foot: &&FootSummary| {
             foot.comparison.is_none() && !measured.uses.iter().any(|plate| plate.by.is_none())
         };

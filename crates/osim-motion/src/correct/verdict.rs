@@ -7,7 +7,8 @@ use osim_model::{DVec3, Model};
 use super::dynamics::{END_FRAMES, Masses};
 use super::figures::{CorrectionFigures, FootErrors};
 use super::unknowns::CorrectionOptions;
-use crate::plate_comparison::percentile;
+use crate::plate_assignment::SWAPPED_FOOT_DISTANCE_M;
+use crate::plate_comparison::{level_distance_m, percentile};
 use crate::{
     CentreOfPressure, ContactStates, Foot, MeasuredForces, Recording, StatesError, TOUCH_DOWN_BW, Wrench,
 };
@@ -41,8 +42,6 @@ const LARGEST_IN_ANOTHER_UNIT_BW: f64 = 0.5;
 const MOST_ARM_IN_N_MM_M: f64 = 50.0;
 /// A centre of pressure that is farther from its foot is in a wrong place, m.
 const LARGEST_PRESSURE_DISTANCE_M: f64 = 0.5;
-/// A centre of pressure that is farther from its foot belongs to another, if that is as near, m.
-const SWAPPED_FOOT_DISTANCE_M: f64 = 0.1;
 /// Forces lie along the floor, or point down, by this part of their size.
 const LARGER_PART: f64 = 0.5;
 /// A plate is under load above this part of its largest force.
@@ -193,17 +192,6 @@ fn unit_of_forces(share: f64, weight_n: f64, is_complete: bool) -> Option<&'stat
     let &(unit, ..) = units.find(|(_, factor, within)| is_near(*factor, *within))?;
     let in_weights = unit == FORCE_UNITS[0].0 && is_near(1.0 / weight_n, 1.25);
     Some(if in_weights { "kN or body weights" } else { unit })
-}
-
-/// The distance along the floor from a point to the segment between the two spheres that are farthest apart.
-fn level_distance_m(point_m: DVec3, spheres: &[DVec3], normal: DVec3) -> f64 {
-    let level = |vector: DVec3| vector - normal * vector.dot(normal);
-    let all = || spheres.iter().flat_map(|one| spheres.iter().map(move |other| (*one, *other)));
-    let length = |(one, other): &(DVec3, DVec3)| level(*other - *one).length();
-    let Some((from, to)) = all().max_by(|a, b| length(a).total_cmp(&length(b))) else { return f64::NAN };
-    let (along, away) = (level(to - from), level(point_m - from));
-    let part = (away.dot(along) / along.length_squared().max(f64::MIN_POSITIVE)).clamp(0.0, 1.0);
-    (away - part * along).length()
 }
 
 /// Second derivatives of splines through `values`; `None` at the ends, where they are bad.
