@@ -252,7 +252,30 @@ fn causes_are_those_that_explain_the_plates() {
     let found = consistency(&dir, SUBJECT_CALL, "");
     let [found_bw, right_bw] = [&found, &right].map(|one| worst(one, "vertical_rms_bw", "after"));
     assert!((found_bw - right_bw).abs() < 0.01 && found_bw < 0.044, "{found}");
-    dir.run(SUBJECT_CALL).says(&["each force counts for the foot nearest to it"]);
+    let remarks = |options: &str| {
+        let run = dir.run(&format!("{SUBJECT_CALL} {options} --format json")).succeeded();
+        json_object(&run)["remarks"].to_string()
+    };
+    assert!(remarks("").contains("each force counts for the foot nearest to it"));
+    // The belt moves at 1.15 m/s.
+    assert!(!remarks("--belt 1.15").contains("against the belt"));
+    let said = remarks("--belt 100");
+    let speed = said.split("standing feet move at ").nth(1).unwrap().split(' ').next().unwrap();
+    assert!(
+        (speed.parse::<f64>().unwrap() - 98.85).abs() <= 0.01 && said.contains("against the belt"),
+        "{said}"
+    );
+    // Toes that are locked do not bend.
+    assert!(!remarks("--correct a.sto").contains("locked"));
+    let text = dir.text("feet.osim");
+    let mut parts = text.split("<Coordinate name=\"mtp_angle_");
+    let first = parts.next().unwrap().to_owned();
+    let locked = parts.map(|part| part.replacen("<locked> false", "<locked> true", 1));
+    dir.write(
+        "feet.osim",
+        std::iter::once(first).chain(locked).collect::<Vec<_>>().join("<Coordinate name=\"mtp_angle_"),
+    );
+    assert!(remarks("--correct b.sto").contains("mtp_angle_r, mtp_angle_l; unlock them"));
 }
 
 /// A foot whose plate is not in the file was not measured: its force is not 0.

@@ -45,7 +45,7 @@ pub struct MotionResult {
 }
 
 /// If loaded feet are faster than this, m/s, they stand on a belt.
-const FASTEST_STANDING_FOOT_M_S: f64 = 0.4;
+pub(crate) const FASTEST_STANDING_FOOT_M_S: f64 = 0.4;
 
 /// The floor of a trial is at most this much higher or lower than in the model, m.
 const MOST_FLOOR_UP_M: f64 = 1.0;
@@ -157,7 +157,7 @@ impl MotionResult {
     }
 
     /// The mean velocity of standing feet along the floor, m/s.
-    fn standing_m_s(&self) -> DVec3 {
+    pub(crate) fn standing_m_s(&self) -> DVec3 {
         let slips: Vec<DVec3> = self.summary.feet.iter().filter_map(|foot| foot.stance_slip_m_s).collect();
         slips.iter().sum::<DVec3>() / slips.len().max(1) as f64
     }

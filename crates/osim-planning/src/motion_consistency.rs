@@ -6,8 +6,8 @@ use osim_inspect::{
 use osim_model::messages::{Input, Phrase, Verb, phrase};
 use osim_model::{DVec3, Model};
 use osim_motion::correct::{
-    Correction, CorrectionFigures, CorrectionOptions, FootErrors, ForceErrors, InverseDynamics, Mismatch,
-    MotionVerdict, RootResidual, correct, mismatches,
+    Correction, CorrectionError, CorrectionFigures, CorrectionOptions, FootErrors, ForceErrors,
+    InverseDynamics, Mismatch, MotionVerdict, RootResidual, correct, mismatches,
 };
 use osim_motion::{Belt, ContactStates, Foot, MeasuredForces, Recording};
 use osim_requests::{MotionRequest, Signed};
@@ -81,13 +81,26 @@ impl Consistency {
             let remarks = vec![MotionRemark { code: "disagree", message: why.clone() }];
             return Ok(Consistency { verdict: MotionVerdict::Disagree, why, remarks, correction: None });
         }
-        let correction = correct(model, recording, (states, feet), measured, weight_n, options)
-            .map_err(|fault| fault.to_string())?;
+        let plate_of_no_foot = measured.uses.iter().find(|plate| plate.by.is_none());
+        let correction =
+            correct(model, recording, (states, feet), measured, weight_n, options).map_err(|fault| {
+                match plate_of_no_foot.filter(|_| fault == CorrectionError::NoForce) {
+                    Some(plate) => unknown_foot(&plate.plate, "no foot has a force"),
+                    None => fault.to_string(),
+                }
+            })?;
         let (verdict, causes) = correction.figures.verdict(seen, options);
         let why = verdict_in_words(verdict, (&causes, given_delay_s), feet, &correction);
         let mut remarks = vec![MotionRemark { code: verdict.as_str(), message: why.clone() }];
         let corrected = || MotionRemark { code: "corrected", message: CORRECTED_ALREADY.into() };
         remarks.extend(was_corrected.then(corrected));
+        if !correction.locked_in_feet.is_empty() {
+            let names = correction.locked_in_feet.join(", ");
+            let text = format!(
+                "locked, so that no correction bends the feet there: {names}; unlock them in the model"
+            );
+            remarks.push(MotionRemark { code: "locked-toes", message: text.into() });
+        }
         // Smoothing does not help what is no goal.
         let horizontal = horizontal_error(&correction.figures).filter(|_| !options.vertical_only);
         remarks.splice(0..0, horizontal.map(|message| MotionRemark { code: "horizontal-error", message }));
@@ -156,6 +169,13 @@ const LEAST_FRAMES_IN_COMMON: usize = 10;
 /// Said of a motion that was corrected before.
 pub(crate) const CORRECTED_ALREADY: &str =
     "the motion is corrected to contacts already: no evidence that they are right";
+
+/// Says that the foot on a plate is not known, and what follows.
+pub(crate) fn unknown_foot(plate: &str, so: &str) -> String {
+    format!(
+        "it is not known which foot the force '{plate}' acts on, so {so}: an ExternalLoads file says which"
+    )
+}
 
 fn millimetres(length_m: f64) -> String {
     format!("{} mm", two_digits(1e3 * length_m.abs()))

@@ -14,8 +14,9 @@ use osim_motion::{
 use osim_requests::options::InspectionOptions;
 use osim_requests::{CheckRequest, MotionRequest, RequestError};
 
+use crate::motion::FASTEST_STANDING_FOOT_M_S;
 use crate::motion_consistency::{
-    CORRECTED_ALREADY, MotionRemark, cause_in_words, horizontal_error, two_digits,
+    CORRECTED_ALREADY, MotionRemark, cause_in_words, horizontal_error, two_digits, unknown_foot,
 };
 use crate::{MotionResult, rules, run_motion};
 
@@ -74,7 +75,9 @@ impl MotionResult {
 
     /// A sentence about the contacts of one foot.
     fn foot_sentence(&self, foot: &FootSummary) -> Phrase {
-        let name = &foot.foot.name;
+        // With a correction, the sentences before are about the corrected motion.
+        let when = if self.correction().is_some() { ", uncorrected" } else { "" };
+        let name = format!("{}{when}", foot.foot.name);
         let bw = |force_n: f64| two_digits(force_n / self.summary.weight_n);
         let deepest = two_digits(1e3 * foot.deepest_m.abs());
         if foot.deepest_m >= 0.0 && foot.peak_n <= 0.0 {
@@ -144,6 +147,11 @@ impl MotionResult {
             ];
             remarks.add("treadmill", text);
         }
+        let against_belt_m_s = self.standing_m_s().length();
+        if self.belt.is_some() && against_belt_m_s >= FASTEST_STANDING_FOOT_M_S {
+            let text = format!("standing feet move at {against_belt_m_s:.2} m/s against the belt:");
+            remarks.add("belt-unlike-feet", format!("{text} is its speed, in m/s against x, right?"));
+        }
         remarks.add_repeated_rows(&self.motion.to_string(), &self.repeated_rows);
         if let Some(left_out) = LeftOutForces::of(&self.states) {
             let text = format!(
@@ -184,10 +192,7 @@ impl MotionResult {
         }
         let lost = |one: &&PlateAssignment| one.by.is_none();
         for plate in measured.uses.iter().filter(lost) {
-            remarks.add("plate-of-no-foot", format!(
-                "it is not known which foot the force '{}' acts on, so it counts only in the total: an ExternalLoads file says which",
-                plate.plate
-            ));
+            remarks.add("plate-of-no-foot", unknown_foot(&plate.plate, "it counts only in the total"));
         }
         if measured.uses.iter().any(|plate| plate.by == Some(AssignedBy::NearestOfAll)) {
             let text = "all plates are said to be under one foot, and another foot is on one of them:";

@@ -44,6 +44,8 @@ pub struct Correction {
     pub belt_way_m: Vec<DVec3>,
     pub figures: CorrectionFigures,
     pub dynamics: InverseDynamics,
+    /// The names of locked coordinates inside feet, such as toe joints, which no correction touches.
+    pub locked_in_feet: Vec<String>,
 }
 
 /// Why a motion cannot be corrected.
@@ -193,7 +195,17 @@ pub fn correct(
         found.level.iter().for_each(|(index, along)| values[*index] -= way_m[frame].dot(*along));
     })?;
     let root_height = recording.coordinates[root].name.clone();
-    Ok(Correction { recording, root_height, floor_up_m, belt_m_s, belt_way_m: way_m, figures, dynamics })
+    let (belt_way_m, locked_in_feet) = (way_m, found.locked_in_feet);
+    Ok(Correction {
+        recording,
+        root_height,
+        floor_up_m,
+        belt_m_s,
+        belt_way_m,
+        figures,
+        dynamics,
+        locked_in_feet,
+    })
 }
 
 /// The model, its recording and its contacts, for which a correction is searched.

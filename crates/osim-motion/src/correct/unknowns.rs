@@ -63,6 +63,8 @@ pub(super) struct CoordinatesOfCorrection {
     pub(super) corrected: Vec<CorrectedCoordinate>,
     /// The coordinates that move all spheres along the floor by their own value, with the direction.
     pub(super) level: Vec<(usize, DVec3)>,
+    /// The names of locked coordinates that move only some spheres of a foot, as a toe joint does.
+    pub(super) locked_in_feet: Vec<String>,
 }
 
 /// Finds the coordinates that a correction uses.
@@ -79,11 +81,11 @@ pub(super) fn find_coordinates(
     let known = paths_to(model, &states.pairs, &states.planes)?.motions_of_joints(recording);
     let along = |moved: &Recording| states.along_after(model, &known, moved, &Belt::default());
     let before = along(recording)?;
-    let (mut legs, mut level) = (Vec::new(), Vec::new());
+    let (mut legs, mut level, mut locked_in_feet) = (Vec::new(), Vec::new(), Vec::new());
     let mut root = None;
     for (index, coordinate) in recording.coordinates.iter().enumerate() {
         let is_dependent = recording.facts.coupled.contains(&coordinate.name);
-        if coordinate.locked || coordinate.prescribed.is_some() || is_dependent {
+        if coordinate.prescribed.is_some() || is_dependent {
             continue;
         }
         let nudged = recording.changed(couplers, |_, values, _| values[index] += TRIAL_STEP)?;
@@ -93,6 +95,14 @@ pub(super) fn find_coordinates(
             both.map(|(before, after)| (after.centre_m - before.centre_m) / TRIAL_STEP)
         };
         let follows = |&pair: &usize| moves(pair).any(|by| by.length() > LEAST_MOVE);
+        let moved = feet.iter().map(|foot| foot.pairs.iter().filter(|&pair| follows(pair)).count());
+        let moved: Vec<(usize, usize)> = moved.enumerate().filter(|(_, count)| *count > 0).collect();
+        let is_in_foot = |&(foot, count): &(usize, usize)| count < feet[foot].pairs.len();
+        if coordinate.locked {
+            let names = moved.iter().any(is_in_foot).then(|| coordinate.name.clone());
+            locked_in_feet.extend(names);
+            continue;
+        }
         let all = || feet.iter().flat_map(|foot| &foot.pairs).flat_map(|&pair| moves(pair));
         let direction = all().next().unwrap_or_default();
         if (direction.length() - 1.0).abs() < 1e-6 && all().all(|by| (by - direction).length() < 1e-6) {
@@ -103,18 +113,16 @@ pub(super) fn find_coordinates(
                 level.push((index, direction));
             }
         }
-        let moved = feet.iter().map(|foot| foot.pairs.iter().filter(|&pair| follows(pair)).count());
-        let moved: Vec<(usize, usize)> = moved.enumerate().filter(|(_, count)| *count > 0).collect();
-        if let [(foot, count)] = *moved
+        if let [one @ (foot, _)] = *moved
             && feet.len() > 1
             && !is_frontal_knee(&coordinate.name)
         {
-            let moves_toes = feet.get(foot).is_some_and(|foot| count < foot.pairs.len());
+            let moves_toes = is_in_foot(&one);
             legs.push(CorrectedCoordinate { index, foot: Some(foot), moves_toes, kind: coordinate.kind });
         }
     }
     let corrected = root.into_iter().flat_map(|root| std::iter::once(root).chain(legs.clone())).collect();
-    Ok(CoordinatesOfCorrection { corrected, level })
+    Ok(CoordinatesOfCorrection { corrected, level, locked_in_feet })
 }
 
 /// Whether a coordinate is the adduction of a knee, which inverse kinematics hardly sees.

@@ -25,7 +25,7 @@ use crate::motion::{
     FollowedMotion, MotionResult, PlatesRead, belt_of_motion, mass_and_gravity, read_motion,
     recording_options,
 };
-use crate::motion_consistency::{MotionRemark, cause_in_words};
+use crate::motion_consistency::{MotionRemark, cause_in_words, unknown_foot};
 use crate::motion_remarks::weight_mismatch;
 use crate::prepared_change::{Planner, PreparedChange, file_name};
 
@@ -317,9 +317,7 @@ fn other_forces_on(model: &Model, selected: &Selected, planes: &[HalfSpace]) -> 
 /// The fault that no fit was found, with advice.
 fn fault_of_fit(error: &FitError, plate_of_no_foot: Option<&String>) -> Fault {
     match (error, plate_of_no_foot) {
-        (FitError::NoForce, Some(plate)) => Fault::refused(format!(
-            "it is not known which foot the force '{plate}' acts on, so there is nothing to fit to: an ExternalLoads file says which"
-        )),
+        (FitError::NoForce, Some(plate)) => Fault::refused(unknown_foot(plate, "there is nothing to fit to")),
         (FitError::Undetermined(parameters), _) => {
             let ranges: Vec<String> = parameters.iter().map(parameter_in_words).collect();
             Fault::new(FaultKind::NothingDetermined { text: format!("{error} ({})", ranges.join("; ")) })
