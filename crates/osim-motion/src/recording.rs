@@ -153,10 +153,23 @@ impl Recording {
         Ok(changed)
     }
 
-    /// The recording with the speeds that OpenSim computes from its values.
-    pub(crate) fn with_splined_speeds(mut self, couplers: &Couplers) -> Result<Self, MotionFault> {
+    /// Every frame whose number is a multiple of `step`.
+    pub(crate) fn thinned(&self, step: usize) -> Self {
+        let count = self.coordinates.len().max(1);
+        let thinned =
+            |all: &[f64]| -> Vec<f64> { all.chunks_exact(count).step_by(step).flatten().copied().collect() };
+        let time_s = self.time_s.iter().copied().step_by(step).collect();
+        Self { time_s, values: thinned(&self.values), speeds: thinned(&self.speeds), ..self.clone() }
+    }
+
+    /// The recording with the speeds that OpenSim computes from the values of coordinates whose values `have_changed`.
+    pub(crate) fn with_splined_speeds(
+        mut self,
+        couplers: &Couplers,
+        have_changed: impl Fn(&usize) -> bool,
+    ) -> Result<Self, MotionFault> {
         let count = self.coordinates.len();
-        for index in 0..count {
+        for index in (0..count).filter(have_changed) {
             let values: Vec<f64> = self.values.iter().skip(index).step_by(count).copied().collect();
             let speeds = splined(&self.time_s, &values, 1, &self.coordinates[index].name)?;
             self.set_coordinate(index, &values, &speeds);

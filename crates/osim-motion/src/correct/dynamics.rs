@@ -7,7 +7,7 @@ use osim_model::{DVec3, Model, MovingPlacement};
 
 use super::residuals::SLOPE_STEP;
 use super::unknowns::{CoordinatesOfCorrection, CorrectedCoordinate};
-use crate::body_motions::JointPaths;
+use crate::body_motions::{JointMotions, JointPaths};
 use crate::{
     ContactStates, CoordinateKind, Foot, MeasuredForces, MotionFault, Recording, StatesError, Wrench,
 };
@@ -74,24 +74,25 @@ impl<'m> Masses<'m> {
         Ok(Self { paths, bodies, gravity_m_s2: model.gravity_m_s2.unwrap_or_default().into() })
     }
 
-    /// Calls `take` with the places of all bodies in each frame.
+    /// Calls `take` with the places of all bodies in each frame. Joints that move as in `known` are not computed again.
     fn in_each_frame<T>(
         &self,
         recording: &Recording,
+        known: Option<&JointMotions<'_>>,
         mut take: impl FnMut(usize, &[MovingPlacement]) -> T,
     ) -> Vec<T> {
         let mut places = Vec::new();
         let in_frame = |frame| {
-            self.paths.place_bodies(recording, None, frame, &mut places);
+            self.paths.place_bodies(recording, known, frame, &mut places);
             take(frame, &places)
         };
         (0..recording.frames()).map(in_frame).collect()
     }
 
-    /// The centre of mass in each frame, m.
-    pub(super) fn centre_along(&self, recording: &Recording) -> Vec<DVec3> {
+    /// The centre of mass in each frame, m; joints that move as in `known` are not computed again.
+    pub(super) fn centre_along(&self, recording: &Recording, known: Option<&JointMotions<'_>>) -> Vec<DVec3> {
         let total: f64 = self.bodies.iter().map(|body| body.kg).sum();
-        self.in_each_frame(recording, |_, places| {
+        self.in_each_frame(recording, known, |_, places| {
             let at = |body: &BodyMass| body.kg / total * places[body.index].at.point(body.centre_m);
             self.bodies.iter().map(at).sum()
         })
@@ -104,11 +105,14 @@ impl<'m> Masses<'m> {
         couplers: &Couplers,
         coordinates: &[CorrectedCoordinate],
     ) -> Result<Vec<DVec3>, StatesError> {
-        let at = self.centre_along(recording);
+        let known = self.paths.motions_of_joints(recording);
+        let at = self.centre_along(recording, Some(&known));
         let mut slopes = vec![DVec3::ZERO; recording.frames() * coordinates.len()];
         for (number, coordinate) in coordinates.iter().enumerate() {
             let moved = recording.changed(couplers, |_, values, _| values[coordinate.index] += SLOPE_STEP)?;
-            for (frame, (after, before)) in self.centre_along(&moved).iter().zip(&at).enumerate() {
+            for (frame, (after, before)) in
+                self.centre_along(&moved, Some(&known)).iter().zip(&at).enumerate()
+            {
                 slopes[frame * coordinates.len() + number] = (*after - *before) / SLOPE_STEP;
             }
         }
@@ -117,7 +121,7 @@ impl<'m> Masses<'m> {
 
     /// The momentum of each body in each frame, and its moment about the origin of ground.
     fn momenta(&self, recording: &Recording) -> Vec<Vec<SpatialVector>> {
-        self.in_each_frame(recording, |_, places| {
+        self.in_each_frame(recording, None, |_, places| {
             let momentum = |body: &BodyMass| {
                 let moving = &places[body.index];
                 let linear = body.kg * moving.velocity_of(body.centre_m);
@@ -152,13 +156,15 @@ impl<'m> Masses<'m> {
         let (before, after) = (later(-STEP_S)?, later(STEP_S)?);
         let feet: Vec<Option<usize>> =
             feet.iter().map(|foot| self.paths.body(foot.bodies.first()?)).collect();
+        let still = recording.changed(couplers, |_, _, speeds| speeds.fill(0.0))?;
+        let known = self.paths.motions_of_joints(&still);
         let force_of = |&index: &usize| {
             let only = recording.changed(couplers, |_, _, speeds| {
                 speeds.fill(0.0);
                 speeds[index] = 1.0;
             })?;
             let mut of_feet = Vec::new();
-            let needed = self.in_each_frame(&only, |frame, places| {
+            let needed = self.in_each_frame(&only, Some(&known), |frame, places| {
                 let velocity = |body: usize| -> SpatialVector {
                     [places[body].angular_velocity, places[body].velocity_at(DVec3::ZERO)]
                 };

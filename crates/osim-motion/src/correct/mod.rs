@@ -119,7 +119,7 @@ pub fn correct(
             }
         }
     })?;
-    let unmoved = locked.with_splined_speeds(&couplers)?;
+    let unmoved = locked.with_splined_speeds(&couplers, |_| true)?;
     let floor = feet.first().and_then(|foot| foot.floor(states));
     let (normal, on_floor_m) = floor.ok_or(CorrectionError::NoForce)?;
     let forward = (DVec3::X - normal * normal.x).try_normalize().unwrap_or(DVec3::Z);
@@ -259,7 +259,8 @@ impl Search<'_> {
                 values[coordinate.index] += if coordinate.foot.is_none() { by - floor_up_m } else { by };
             }
         })?;
-        Ok(moved.with_splined_speeds(&self.couplers)?)
+        let is_corrected = |index: &usize| setting.coordinates.iter().any(|one| one.index == *index);
+        Ok(moved.with_splined_speeds(&self.couplers, is_corrected)?)
     }
 }
 

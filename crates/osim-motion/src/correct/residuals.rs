@@ -105,6 +105,7 @@ impl<'s> StageProblem<'s> {
         let place = self.setting.coefficients();
         let constants = [difference[place], unknowns[place + 1], unknowns[place + 2]];
         let unit = 1.0 / (USUAL_FORCE_ERROR_BW * weight_n);
+        let mut sum = Row { residual: 0.0, by_coordinate: Vec::new(), by_constant: [0.0; CONSTANTS] };
         for frame in 0..self.setting.basis.first.len() {
             let [values, rates] = [0, 1].map(|order| self.setting.corrections(&difference, frame, order));
             for (foot, along) in self.setting.feet.iter().zip(&self.slopes) {
@@ -112,7 +113,7 @@ impl<'s> StageProblem<'s> {
                 let first = frame * foot.pairs.len();
                 let force = |(number, pair): (usize, &&ContactPair)| {
                     let state = along.state(first + number, [&values, &rates], constants);
-                    let force = force_n(pair, state, self.stage);
+                    let force = force_n(pair, normal_force_n(pair, state, self.stage), state, self.stage);
                     let touches = force != [0.0; 3];
                     let by_state = || force_slopes(pair, state, self.stage, force);
                     touches.then(|| (first + number, force, if slopes { by_state() } else { [[0.0; 3]; 4] }))
@@ -121,11 +122,9 @@ impl<'s> StageProblem<'s> {
                 // The sum of the forces of all spheres, each component times its factor.
                 let mut row = |goal: f64, factors: &dyn Fn(usize) -> [f64; 3]| {
                     let count = if slopes { along.coordinates.len() } else { 0 };
-                    let mut sum = Row {
-                        residual: -goal,
-                        by_coordinate: vec![[0.0; 2]; count],
-                        by_constant: [0.0; CONSTANTS],
-                    };
+                    (sum.residual, sum.by_constant) = (-goal, [0.0; CONSTANTS]);
+                    sum.by_coordinate.clear();
+                    sum.by_coordinate.resize(count, [0.0; 2]);
                     for (sphere, force, slopes) in &forces {
                         let factors = factors(*sphere);
                         sum.residual += dot_product(&factors, force);
@@ -276,17 +275,20 @@ const RELEASE_WIDTH_SHARE: f64 = 0.1;
 /// The steps by which slopes of a force are computed: depth, its rate, and both components of the slip.
 const SLOPE_STEPS: SphereState = [1e-7, 1e-6, 1e-6, 1e-6];
 
-/// The force on a sphere along the normal and along the two level directions, N.
-fn force_n(pair: &ContactPair, state: SphereState, stage: Stage) -> [f64; 3] {
-    let [x, rate, slip @ ..] = state;
-    let Stage { soft_m, transition } = stage;
-    let normal_n = if soft_m > 0.0 {
+/// The force on a sphere along the normal, N.
+fn normal_force_n(pair: &ContactPair, [x, rate, ..]: SphereState, Stage { soft_m, .. }: Stage) -> f64 {
+    if soft_m > 0.0 {
         let depth = soft_positive(x, soft_m);
         let damping = soft_positive(1.0 + 1.5 * pair.law.dissipation() * rate, RELEASE_WIDTH_SHARE);
         pair.law.hertz().coefficient() * depth * depth.sqrt() * damping
     } else {
         pair.law.force(x, rate)
-    };
+    }
+}
+
+/// The force on a sphere along the normal, which is known, and along the two level directions, N.
+fn force_n(pair: &ContactPair, normal_n: f64, state: SphereState, stage: Stage) -> [f64; 3] {
+    let ([_, _, slip @ ..], Stage { soft_m, transition }) = (state, stage);
     if normal_n == 0.0 || transition == 0.0 {
         return [normal_n, 0.0, 0.0];
     }
@@ -302,7 +304,9 @@ fn force_slopes(pair: &ContactPair, state: SphereState, stage: Stage, force: [f6
     std::array::from_fn(|place| {
         let mut above = state;
         above[place] += SLOPE_STEPS[place];
-        let above = force_n(pair, above, stage);
+        // The slip does not change the normal force.
+        let normal_n = if place < 2 { normal_force_n(pair, above, stage) } else { force[0] };
+        let above = force_n(pair, normal_n, above, stage);
         std::array::from_fn(|axis| (above[axis] - force[axis]) / SLOPE_STEPS[place])
     })
 }

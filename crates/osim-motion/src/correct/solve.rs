@@ -33,18 +33,19 @@ impl NormalEquations {
     /// Adds a residual with its derivatives by some unknowns, in rising order.
     pub(super) fn add(&mut self, derivatives: &[(usize, f64)], residual: f64) {
         let slopes: Vec<f64> = derivatives.iter().map(|(_, slope)| *slope).collect();
+        // Unknowns without a gap between them are next to each other in a row, too: where each run begins and ends, and its first unknown.
+        let mut runs: Vec<(Range<usize>, usize)> = Vec::new();
+        for run in derivatives.chunk_by(|a, b| a.0 + 1 == b.0) {
+            let start = runs.last().map_or(0, |(before, _)| before.end);
+            runs.push((start..start + run.len(), run[0].0));
+        }
         for (number, &(i, slope)) in derivatives.iter().enumerate() {
             self.gradient[i] += slope * residual;
             let (first, row) = self.row(i);
-            let mut others = slopes.as_slice();
-            // Unknowns without a gap between them are next to each other in the row, too.
-            for run in derivatives[..=number].chunk_by(|a, b| a.0 + 1 == b.0) {
-                let entries = &mut self.entries[row.start + run[0].0 - first..];
-                entries
-                    .iter_mut()
-                    .zip(&others[..run.len()])
-                    .for_each(|(entry, other)| *entry += slope * other);
-                others = &others[run.len()..];
+            for (run, unknown) in runs.iter().take_while(|(run, _)| run.start <= number) {
+                let entries = &mut self.entries[row.start + unknown - first..];
+                let others = &slopes[run.start..run.end.min(number + 1)];
+                entries.iter_mut().zip(others).for_each(|(entry, other)| *entry += slope * other);
             }
         }
     }

@@ -52,6 +52,8 @@ pub(super) struct CorrectedCoordinate {
 
 /// The change of a value that shows which spheres a coordinate moves, rad or m.
 const TRIAL_STEP: f64 = 1e-4;
+/// The largest number of frames in which it is tried, out of all.
+const MOST_TRIAL_FRAMES: usize = 50;
 /// A sphere that moves by less than this part of the change of a coordinate does not follow it.
 const LEAST_MOVE: f64 = 1e-6;
 
@@ -78,6 +80,7 @@ pub(super) fn find_coordinates(
     states: &ContactStates,
     (feet, normal): (&[Foot], DVec3),
 ) -> Result<CoordinatesOfCorrection, StatesError> {
+    let recording = &recording.thinned(recording.frames().div_ceil(MOST_TRIAL_FRAMES).max(1));
     let known = paths_to(model, &states.pairs, &states.planes)?.motions_of_joints(recording);
     let along = |moved: &Recording| states.along_after(model, &known, moved, &Belt::default());
     let before = along(recording)?;

@@ -82,7 +82,7 @@ pub fn mismatches(
     let along = |wrench: &Wrench| wrench.force_n.dot(normal);
     let kg = weight_n / DVec3::from(model.gravity_m_s2.unwrap_or_default()).length();
     let centres_kg_m: Vec<DVec3> =
-        Masses::new(model)?.centre_along(recording).into_iter().map(|at| kg * at).collect();
+        Masses::new(model)?.centre_along(recording, None).into_iter().map(|at| kg * at).collect();
     let inertia_n = accelerations(&recording.time_s, &centres_kg_m);
     let total = LoadedForces::new(&measured.total, normal);
     if total.across_n < LARGER_PART * total.size_n {
