@@ -297,6 +297,33 @@ fn a_foot_without_a_plate_is_not_compared() {
     dir.run(SUBJECT_CALL).says(&["left foot: its force is not known"]);
 }
 
+/// A step that the plates miss: the whole body's inertia, whose residual with the plates is 0.12 body weights, says what the foot carries.
+#[test]
+fn a_step_beside_the_plates_carries_what_the_body_needs() {
+    let Some(dir) = subject("a step beside the plates", "smooth") else { return };
+    let file = "subject01_walk1_grf.mot";
+    let plates = dir.text(file);
+    let (head, table) = plates.split_once("endheader").unwrap();
+    let (names, rows) = table.trim_start().split_once('\n').unwrap();
+    let is_left: Vec<bool> = names.split_ascii_whitespace().map(|name| name.starts_with("l_")).collect();
+    let without_step = |row: &str| {
+        let cells: Vec<&str> = row.split_ascii_whitespace().collect();
+        let is_missed = (1.75..2.9).contains(&cells[0].parse::<f64>().unwrap());
+        let cell =
+            |(cell, is_left): (&&str, &bool)| if is_missed && *is_left { "0" } else { *cell }.to_owned();
+        cells.iter().zip(&is_left).map(cell).collect::<Vec<_>>().join("\t")
+    };
+    let rows: Vec<String> = rows.lines().map(without_step).collect();
+    dir.write("missed.mot", format!("{head}endheader\n{names}\n{}\n", rows.join("\n")));
+    consistency(&dir, &SUBJECT_CALL.replace(file, "missed.mot"), "");
+    let call = format!(
+        "{} --start 2.65 --end 2.85 --format json",
+        SUBJECT_CALL.replace("subject01_walk1_ik.mot", "corrected.sto")
+    );
+    let left = json_object(&dir.run(&call).succeeded())["feet"][1]["comparison"].clone();
+    assert!(number(&left, "vertical_rms_bw") < 0.35 && number(&left, "measured_peak_n") > 600.0, "{left}");
+}
+
 /// On a treadmill slip and lost energy are those of the same walk over ground: the root moves with the belt's speed, 1.15 m/s.
 #[test]
 fn slip_and_lost_energy_are_against_the_belt() {

@@ -9,6 +9,7 @@ mod dynamics;
 mod figures;
 mod residuals;
 mod solve;
+use super::verdict::inertia_n;
 mod unknowns;
 mod verdict;
 
@@ -93,6 +94,8 @@ const FASTEST_STANDING_FOOT_M_S: f64 = 0.4;
 /// The largest part of a belt's velocity that no coordinate of the root may follow, m/s; a larger part is an error.
 const LARGEST_UNFOLLOWED_BELT_M_S: f64 = 0.01;
 
+/// The largest force along the normal that is taken for the force of a foot beside the plates, body weights.
+const MOST_MISSING_BW: f64 = 1.5;
 /// A stance that is shorter than this, s, is a contact by chance, and does not decide how fine a correction may be.
 const SHORTEST_STANCE_S: f64 = 0.08;
 /// The duration of a stance that is assumed if the recording has no whole stance, s.
@@ -134,9 +137,31 @@ pub fn correct(
             .filter(|_| measured.has_points.get(foot) == Some(&true) && wrench.force_n.dot(normal) > 0.0)
             .map(|centre| centre.point_m),
     };
-    let goals_of_foot = |(foot, wrenches): (usize, &Vec<Option<Wrench>>)| FootGoals {
-        pairs: feet[foot].pairs.iter().filter_map(|&pair| states.pairs.get(pair)).collect(),
-        goals: wrenches.iter().map(|wrench| wrench.as_ref().map(|wrench| goal(foot, wrench))).collect(),
+    let masses = Masses::new(model)?;
+    let gravity_m_s2 = DVec3::from(model.gravity_m_s2.unwrap_or_default());
+    let kg = weight_n / gravity_m_s2.length();
+    let is_partly_known =
+        |forces: &Vec<Option<Wrench>>| forces.chunk_by(|a, b| a.is_some() == b.is_some()).nth(1).is_some();
+    let has_gaps = measured.feet.iter().any(is_partly_known);
+    let inertia_n = if has_gaps { inertia_n(&masses, &unmoved, kg) } else { Vec::new() };
+    // Beside the plates, a foot has what the motion of the whole body needs, less the forces of the other feet.
+    let missing = |foot: usize, frame: usize| {
+        let others = measured.feet.iter().enumerate().filter(|(other, _)| *other != foot);
+        let others_n = others.map(|(_, forces)| Some(forces[frame]?.force_n)).sum::<Option<DVec3>>()?;
+        let force_n = (*inertia_n.get(frame)?)? - kg * gravity_m_s2 - others_n;
+        let normal_n = force_n.dot(normal).clamp(0.0, MOST_MISSING_BW * weight_n);
+        let level_n = level.map(|direction| if normal_n > 0.0 { force_n.dot(direction) } else { 0.0 });
+        force_n.is_finite().then_some(PlateGoal { normal_n, level_n, centre_m: None })
+    };
+    let goals_of_foot = |(foot, wrenches): (usize, &Vec<Option<Wrench>>)| {
+        let in_frame = |(frame, wrench): (usize, &Option<Wrench>)| match wrench {
+            Some(wrench) => Some(goal(foot, wrench)),
+            None => missing(foot, frame).filter(|_| is_partly_known(wrenches)),
+        };
+        FootGoals {
+            pairs: feet[foot].pairs.iter().filter_map(|&pair| states.pairs.get(pair)).collect(),
+            goals: wrenches.iter().enumerate().map(in_frame).collect(),
+        }
     };
     let goals: Vec<FootGoals<'_>> = measured.feet.iter().enumerate().map(goals_of_foot).collect();
     let mut all = goals.iter().flat_map(|foot| &foot.goals).flatten();
@@ -159,7 +184,6 @@ pub fn correct(
         Some(up_m) => unmoved.changed(&couplers, |_, values, _| values[root] -= up_m)?,
         None => unmoved.clone(),
     };
-    let masses = Masses::new(model)?;
     let setting = CorrectionInputs {
         basis: SplineBasis::new(&original.time_s, knots_s),
         centre_of_mass: masses.centre_slopes(&original, &couplers, &found.corrected)?,

@@ -81,9 +81,7 @@ pub fn mismatches(
     let Some((normal, on_floor_m)) = floor else { return Ok(Vec::new()) };
     let along = |wrench: &Wrench| wrench.force_n.dot(normal);
     let kg = weight_n / DVec3::from(model.gravity_m_s2.unwrap_or_default()).length();
-    let centres_kg_m: Vec<DVec3> =
-        Masses::new(model)?.centre_along(recording, None).into_iter().map(|at| kg * at).collect();
-    let inertia_n = accelerations(&recording.time_s, &centres_kg_m);
+    let inertia_n = inertia_n(&Masses::new(model)?, recording, kg);
     let total = LoadedForces::new(&measured.total, normal);
     if total.across_n < LARGER_PART * total.size_n {
         return Ok(vec![Mismatch::Axes]);
@@ -192,6 +190,13 @@ fn unit_of_forces(share: f64, weight_n: f64, is_complete: bool) -> Option<&'stat
     let &(unit, ..) = units.find(|(_, factor, within)| is_near(*factor, *within))?;
     let in_weights = unit == FORCE_UNITS[0].0 && is_near(1.0 / weight_n, 1.25);
     Some(if in_weights { "kN or body weights" } else { unit })
+}
+
+/// The mass of the whole body, `kg`, times its acceleration, N; `None` at the ends, where it is bad.
+pub(super) fn inertia_n(masses: &Masses<'_>, recording: &Recording, kg: f64) -> Vec<Option<DVec3>> {
+    let centres_kg_m: Vec<DVec3> =
+        masses.centre_along(recording, None).into_iter().map(|at| kg * at).collect();
+    accelerations(&recording.time_s, &centres_kg_m)
 }
 
 /// Second derivatives of splines through `values`; `None` at the ends, where they are bad.
