@@ -246,16 +246,23 @@ fn causes_are_those_that_explain_the_plates() {
     let why = found["why"].as_str().unwrap();
     let shift: f64 = why.split("--plates-delay ").nth(1).unwrap().split(' ').next().unwrap().parse().unwrap();
     assert!(shift.abs() < 0.005, "{why}");
+    let remarks = |options: &str| {
+        let run = dir.run(&format!("{SUBJECT_CALL} {options} --format json")).succeeded();
+        json_object(&run)["remarks"].to_string()
+    };
+    // Heels and forefeet, weighted by the forces of their spheres (NumPy, from places and forces before and after).
+    let said = remarks("--correct c.sto");
+    let words: Vec<&str> = said.split("heels ").nth(1).unwrap().split(' ').take(12).collect();
+    let number = |at: usize| words[at].parse::<f64>().unwrap();
+    for (at, expected_mm) in [(0, 2.31), (2, 6.28), (6, 2.48), (10, 8.99)] {
+        assert!((number(at) - expected_mm).abs() < 0.3, "{words:?}");
+    }
     // Both plates on the right foot: each force is that of the nearest foot, as with the right loads.
     let right = consistency(&dir, SUBJECT_CALL, "");
     dir.write("subject01_walk1_grf.xml", loads.replace("calcn_l", "calcn_r"));
     let found = consistency(&dir, SUBJECT_CALL, "");
     let [found_bw, right_bw] = [&found, &right].map(|one| worst(one, "vertical_rms_bw", "after"));
     assert!((found_bw - right_bw).abs() < 0.01 && found_bw < 0.044, "{found}");
-    let remarks = |options: &str| {
-        let run = dir.run(&format!("{SUBJECT_CALL} {options} --format json")).succeeded();
-        json_object(&run)["remarks"].to_string()
-    };
     assert!(remarks("").contains("each force counts for the foot nearest to it"));
     // The belt moves at 1.15 m/s.
     assert!(!remarks("--belt 1.15").contains("against the belt"));

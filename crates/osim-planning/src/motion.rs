@@ -188,7 +188,8 @@ impl MotionResult {
         let feet = self.feet();
         let options = correction_options(request, self.belt.clone(), self.standing_m_s());
         let (contacts, plates) = ((&self.states, feet.as_slice()), (measured, self.summary.weight_n));
-        let known = (self.is_corrected, request.plates_delay.map_or(0.0, Signed::get));
+        let known =
+            (self.is_corrected, request.plates_delay.map_or(0.0, Signed::get), self.on_soles.as_slice());
         Consistency::of(&self.opened.model, &self.recording, contacts, plates, &options, known)
     }
 }

@@ -9,7 +9,7 @@ use osim_motion::correct::{
     Correction, CorrectionError, CorrectionFigures, CorrectionOptions, FootErrors, ForceErrors,
     InverseDynamics, Mismatch, MotionVerdict, RootResidual, correct, mismatches,
 };
-use osim_motion::{Belt, ContactStates, Foot, MeasuredForces, Recording};
+use osim_motion::{Belt, ContactStates, Foot, MeasuredForces, PressureOnSole, Recording};
 use osim_requests::{MotionRequest, Signed};
 
 /// Something that a reader should know about a motion.
@@ -64,7 +64,7 @@ impl Consistency {
         (states, feet): (&ContactStates, &[Foot]),
         (measured, weight_n): (&MeasuredForces, f64),
         options: &CorrectionOptions,
-        (was_corrected, given_delay_s): (bool, f64),
+        (was_corrected, given_delay_s, soles): (bool, f64, &[Option<PressureOnSole>]),
     ) -> Result<Self, String> {
         let common = measured.total.iter().flatten().count();
         if common < LEAST_FRAMES_IN_COMMON {
@@ -104,7 +104,7 @@ impl Consistency {
         // Smoothing does not help what is no goal.
         let horizontal = horizontal_error(&correction.figures).filter(|_| !options.vertical_only);
         remarks.splice(0..0, horizontal.map(|message| MotionRemark { code: "horizontal-error", message }));
-        let figures = figures_in_words(&correction);
+        let figures = figures_in_words(&correction, soles);
         remarks.extend(figures.map(|text| MotionRemark { code: "consistency", message: text.into() }));
         Ok(Consistency { verdict, why, remarks, correction: Some(correction) })
     }
@@ -276,7 +276,7 @@ pub(crate) fn horizontal_error(figures: &CorrectionFigures) -> Option<Phrase> {
 }
 
 /// The figures of a correction in sentences.
-fn figures_in_words(correction: &Correction) -> [String; 4] {
+fn figures_in_words(correction: &Correction, soles: &[Option<PressureOnSole>]) -> [String; 4] {
     let figures = &correction.figures;
     let errors = |of: fn(&ForceErrors) -> f64| {
         let worst = |which: fn(&FootErrors) -> &ForceErrors| {
@@ -293,13 +293,42 @@ fn figures_in_words(correction: &Correction) -> [String; 4] {
     let depth = two_digits(figures.largest_relative_indentation);
     let belt_m_s = correction.belt_m_s.length();
     let belt = if belt_m_s > 0.0 { format!("; the belt moves at {belt_m_s:.2} m/s") } else { String::new() };
-    let apart = format!("left and right are lifted alike within {apart}; spheres are at most {depth} R deep");
+    let parts = [("heels", true), ("forefeet", false)].map(|(name, is_heel)| {
+        lifts_in_words(figures, soles, is_heel).map(|lifts| format!("{name} {lifts}"))
+    });
+    let parts = parts.into_iter().flatten().collect::<Vec<String>>().join(", ");
+    let parts = if parts.is_empty() { parts } else { parts + "; " };
+    let apart =
+        format!("{parts}left and right are lifted alike within {apart}; spheres are at most {depth} R deep");
     [
         format!("force, error of the worst foot in body weights (rms): {force}"),
         apart + &belt,
         dynamics_in_words(&correction.dynamics),
         "this cannot show that the stiffness is right: stiffer contacts agree as well".to_owned(),
     ]
+}
+
+/// How far the correction moves the heels, or the forefeet, of all feet up or down under load, in words.
+fn lifts_in_words(
+    figures: &CorrectionFigures,
+    soles: &[Option<PressureOnSole>],
+    is_heel: bool,
+) -> Option<String> {
+    let of_foot = |(foot, sole): (&FootErrors, &Option<PressureOnSole>)| {
+        let spheres = foot.lifts_and_forces.iter().zip(&sole.as_ref()?.spheres_m);
+        let own = spheres.filter(|(_, [ahead_m, _])| (*ahead_m < 0.0) == is_heel);
+        let [moved, force_n] = own.fold([0.0; 2], |[a, b], ([c, d], _)| [a + c, b + d]);
+        (force_n > 0.0).then(|| moved / force_n)
+    };
+    let all = || figures.feet.iter().zip(soles).filter_map(of_foot);
+    let (least, most) = (all().reduce(f64::min)?, all().reduce(f64::max)?);
+    let number = |metres: f64| two_digits(1e3 * metres.abs());
+    let (low, high) = (number(least), number(most));
+    Some(match (least < 0.0, most < 0.0) {
+        (true, true) => format!("{high} to {low} mm down"),
+        (true, false) => format!("{low} mm down to {high} mm up"),
+        _ => format!("{low} to {high} mm up"),
+    })
 }
 
 /// What the correction changes in inverse dynamics, in words.

@@ -29,6 +29,8 @@ pub struct FootErrors {
     pub mean_lift_m: f64,
     /// The force-weighted standard deviation of these moves, m.
     pub lift_scatter_m: f64,
+    /// For each sphere of the foot, the sum of these moves times its forces, and of its forces.
+    pub lifts_and_forces: Vec<[f64; 2]>,
     /// The time for which the plates carry the foot, s.
     pub stance_s: f64,
 }
@@ -80,7 +82,7 @@ impl CorrectionFigures {
                 ForceErrors { vertical_bw, horizontal_bw }
             };
             let (mut squares, mut stance) = (vec![0.0; setting.coordinates.len()], 0.0);
-            let (mut moved, mut moved_squares, mut force_n) = (0.0, 0.0, 0.0);
+            let (mut lifts_and_forces, mut moved_squares) = (vec![[0.0; 2]; foot.pairs.len()], 0.0);
             for (frame, plate) in plates.iter().enumerate() {
                 if !plate.is_some_and(|plate| plate.force_n.dot(normal) > TOUCH_DOWN_BW * weight_n) {
                     continue;
@@ -89,19 +91,21 @@ impl CorrectionFigures {
                 let corrections = setting.corrections(unknowns, frame, 0);
                 squares.iter_mut().zip(corrections).for_each(|(sum, value)| *sum += value * value);
                 let both = |pair: usize| before.frame(frame).get(pair).zip(after.frame(frame).get(pair));
-                for (pair, (before, after)) in foot.pairs.iter().filter_map(|&pair| Some((pair, both(pair)?)))
-                {
+                for (&pair, [moved, force_n]) in foot.pairs.iter().zip(&mut lifts_and_forces) {
+                    let Some((before, after)) = both(pair) else { continue };
                     let radius_m = pairs[pair].radius_m;
                     deepest = deepest.max(after.indentation_m / radius_m);
                     if after.normal_force_n > LEAST_LOAD_OF_SPHERE_BW * weight_n {
                         let lift = (after.centre_m - before.centre_m).dot(normal) + floor_up_m;
                         lifts.push(lift.abs());
-                        moved += lift * after.normal_force_n;
+                        *moved += lift * after.normal_force_n;
                         moved_squares += lift * lift * after.normal_force_n;
-                        force_n += after.normal_force_n;
+                        *force_n += after.normal_force_n;
                     }
                 }
             }
+            let [moved, force_n]: [f64; 2] =
+                [0, 1].map(|part| lifts_and_forces.iter().map(|sums| sums[part]).sum());
             let mean = |sum: f64| if force_n > 0.0 { sum / force_n } else { 0.0 };
             let mean_lift_m = mean(moved);
             let compared_after = compared(Some(after));
@@ -119,6 +123,7 @@ impl CorrectionFigures {
                 joint_rms_rad: if stance > 0.0 { f64::sqrt(largest / stance) } else { 0.0 },
                 mean_lift_m,
                 lift_scatter_m: (mean(moved_squares) - mean_lift_m * mean_lift_m).max(0.0).sqrt(),
+                lifts_and_forces,
                 stance_s: stance / time_s.len() as f64 * all_s,
             });
         }

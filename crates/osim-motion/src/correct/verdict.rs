@@ -426,6 +426,7 @@ mod tests {
             joint_rms_rad: 0.01,
             mean_lift_m,
             lift_scatter_m,
+            lifts_and_forces: Vec::new(),
             stance_s,
         };
         let feet = vec![foot(0.0), foot(apart_m)];
