@@ -406,6 +406,15 @@ fn a_new_radius_scales_the_other_parameters() {
     // Without an indentation the stiffness follows the radius too, E1* ∝ R^(−2).
     let run = dir.run("design human.osim --radius x1.25 --dry-run --format json").succeeded();
     assert_close(changes_in_json(&run)["stiffness"].1, 1e6 / 1.5625, 1e-14, "stiffness");
+    // With the stiffness that the model has, only the rest follows; with another one, it is written (4.3: R alone).
+    for (stiffness, written) in [("1e6", None), ("2e6", Some(2e6))] {
+        let call =
+            format!("design human.osim --radius x1.25 --stiffness {stiffness} --dry-run --format json");
+        let value = changes_in_json(&dir.run(&call).succeeded());
+        assert_eq!(value.get("stiffness").map(|change| change.1), written);
+        assert_close(value["radius"].1, 0.04, 1e-14, "radius");
+        assert_close(value["dissipation"].1, 2.0 * root, 1e-14, "dissipation");
+    }
 }
 
 #[test]
@@ -455,6 +464,7 @@ fn wrong_options_for_a_design_of_a_model_are_refused() {
     for (options, words) in [
         ("", "nothing is asked for"),
         ("--stiffness 1e6", "set MODEL stiffness=VALUE"),
+        ("--stiffness 1e6 --radius 0.03 --indentation 0.1", "goes with --radius alone"),
         ("--young 1e5 --poisson 0.3 --indentation 0.2", "leave one out"),
         ("--contact-stiffness 1e4", "--contact-stiffness needs --indentation"),
         ("--contact-stiffness 1e4 --indentation 0.1 --radius 0.03", "leave out --radius"),

@@ -39,6 +39,8 @@ pub enum DesignModulus {
     Indentation(f64),
     /// A mean stress (N/m²) on the contact patch under the load, which gives x̂ by (15).
     Stress(f64),
+    /// E₁* is known, N/m²: it does not follow the radius.
+    Known(f64),
     /// By (A.1) and (A.5), a Young's modulus (N/m²) and Poisson's ratio on rigid ground.
     Young { young_n_m2: f64, poisson: f64 },
 }
@@ -137,9 +139,7 @@ pub fn design(model: &Model, selected: &Selected, wanted: &Design) -> Result<Pla
         rests.extend(wanted.equilibrium_indentation(&plan, &sphere)?.filter(|_| !shared));
         for property in Property::ALL.into_iter().filter(|&property| properties.contains(property)) {
             match wanted.value(&plan, &sphere, property)? {
-                Some((to, equation)) => {
-                    change_composite(&mut plan, force.id, property, to, ChangedBy::Equation(equation))?;
-                }
+                Some((to, by)) => change_composite(&mut plan, force.id, property, to, by)?,
                 None => scale_with_radius(&mut plan, force, property, &sphere.own_ratios, by)?,
             }
         }
@@ -243,18 +243,19 @@ impl Design {
         self.modulus.is_some() && self.restitution.is_some() && (smoothing || !smooth)
     }
 
-    /// The designed value of `property` and its equation; `None` if it is not designed.
+    /// The designed value of `property` and what it follows from; `None` if it is not designed.
     fn value(
         &self,
         plan: &PlanBuilder<'_>,
         sphere: &DesignedForce<'_>,
         property: Property,
-    ) -> Result<Option<(f64, &'static str)>, Fault> {
+    ) -> Result<Option<(f64, ChangedBy)>, Fault> {
         let (radius_m, smooth, model) = (sphere.radius_m, is_smooth(sphere.force), plan.model);
-        Ok(Some(match property {
+        let (to, equation) = match property {
             Property::Stiffness => {
                 let Some(modulus) = self.modulus else { return Ok(None) };
-                self.designed_modulus(modulus, radius_m, self.speed_state(plan, sphere)?)?
+                let state = self.speed_state(plan, sphere)?;
+                return self.designed_modulus(modulus, radius_m, state).map(Some);
             }
             Property::Dissipation => {
                 let Some((restitution, speed)) = self.restitution else { return Ok(None) };
@@ -282,7 +283,8 @@ impl Design {
                 (bv.map_err(Fault::new)?, "C.10")
             }
             _ => return Ok(None),
-        }))
+        };
+        Ok(Some((to, ChangedBy::Equation(equation))))
     }
 
     /// The value of `property` after the design: designed, or scaled with the radius.
@@ -339,16 +341,18 @@ impl Design {
         Ok(indentation().ok().map(|x| x / sphere.radius_m))
     }
 
-    /// E₁* and its equation; `speed_state` is the factor on the Hertz force at speed 0.
+    /// E₁* and what it follows from; `speed_state` is the factor on the Hertz force at speed 0.
     fn designed_modulus(
         &self,
         modulus: DesignModulus,
         radius_m: f64,
         speed_state: f64,
-    ) -> Result<(f64, &'static str), Fault> {
+    ) -> Result<(f64, ChangedBy), Fault> {
         match modulus {
+            DesignModulus::Known(n_m2) => Ok((n_m2, ChangedBy::Given)),
             DesignModulus::Young { young_n_m2, poisson } => {
-                Ok((modulus::stiffness_on_rigid_ground(young_n_m2, poisson).map_err(Fault::new)?, "A.5"))
+                let stiffness = modulus::stiffness_on_rigid_ground(young_n_m2, poisson);
+                Ok((stiffness.map_err(Fault::new)?, ChangedBy::Equation("A.5")))
             }
             DesignModulus::Indentation(x) | DesignModulus::Stress(x) => {
                 let Some(load) = &self.load else {
@@ -366,7 +370,7 @@ impl Design {
                     (true, false) => "15, 11, C.9",
                 };
                 let equal = modulus::of_equal_surfaces(composite, modulus::MixingRule::Sherman);
-                Ok((equal.map_err(Fault::new)?, equation))
+                Ok((equal.map_err(Fault::new)?, ChangedBy::Equation(equation)))
             }
         }
     }
@@ -394,6 +398,7 @@ impl Design {
             DesignModulus::Stress(stress) => {
                 format!("mean stress {} N/m2, 1.5 times that at the middle", readable(stress))
             }
+            DesignModulus::Known(n_m2) => format!("stiffness {} N/m2", readable(n_m2)),
             DesignModulus::Young { young_n_m2, poisson } => {
                 format!("Young's modulus {} N/m2, Poisson's ratio {poisson}", readable(young_n_m2))
             }

@@ -85,9 +85,13 @@ fn refuse_useless_options(request: &DesignRequest) -> Result<(), RequestFault> {
         ];
         return refused(Input::Radius, why);
     }
-    if wanted.stiffness.is_some() {
+    if wanted.stiffness.is_some() && (wanted.radius.is_none() || wants_depth) {
         let call = Verb::Set.call_with_model().with_placeholder(Input::Stiffness, "VALUE");
-        let why = phrase![Input::Stiffness, " is known, not designed: write it with ", call];
+        let why = phrase![
+            "{} is known, not designed: it goes with {} alone, or write it with ";
+            Input::Stiffness, Input::Radius
+        ];
+        let why = phrase![&why, call];
         return refused(Input::Stiffness, why);
     }
     if request.other_young.is_some() {
@@ -171,7 +175,7 @@ impl DesignPlanner {
                 (None, None, Some((young_n_m2, poisson))) => {
                     Some(DesignModulus::Young { young_n_m2, poisson })
                 }
-                (None, None, None) => None,
+                (None, None, None) => options.stiffness.map(|known| DesignModulus::Known(known.get())),
             },
             load,
             restitution: options
