@@ -53,6 +53,17 @@ fn each_kind_of_quantity_has_a_factor_and_a_verdict() {
     assert_eq!(dir.text("scaled.osim"), before);
 }
 
+/// Where the forms of (14) part, a transfer says the third, too: 2 s/m over the root of the ratio of lengths, 0.643 (see docs/scaling.md).
+#[test]
+fn a_transfer_has_the_dissipation_by_leg_length() {
+    let dir = TestDir::with(MODELS_TO_COMPARE);
+    let said = dir
+        .run("transfer scaled.osim --from generic.osim --follow-bodies --radius keep --dry-run --format json")
+        .out();
+    let by_legs = said.split(" s/m by length of bones").next().unwrap().rsplit(' ').next().unwrap();
+    assert!((by_legs.parse::<f64>().unwrap() - 2.0 / 0.643_f64.sqrt()).abs() < 2e-3, "{said}");
+}
+
 #[test]
 fn the_list_has_one_line_for_each_kind() {
     let dir = TestDir::with(MODELS_TO_COMPARE);

@@ -163,7 +163,7 @@ pub fn rescale(model: &Model, selected: &Selected, wanted: &Rescale) -> Result<P
                 let Some((factor, by)) = scaled else { continue };
                 let Some(from) = model.parameter(force.id, set.id, property)? else { continue };
                 if property == Property::Dissipation {
-                    rules::remark_on_dissipation(&mut plan.remarks, &ratios, from);
+                    rules::remark_on_dissipation(&mut plan.remarks, &ratios, from, None);
                 }
                 plan.change_parameter(force.id, set.id, property, NewNumber::multiplied(from, factor, by))?;
             }

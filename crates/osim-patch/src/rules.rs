@@ -1,6 +1,6 @@
 //! Rules of the findings about changes.
 
-use contact_scaling::Ratios;
+use contact_scaling::{RatioValues, Ratios};
 use osim_model::compare::Follow;
 use osim_model::messages::{Input, Phrase, Verb, four_significant, phrase, readable, three_significant};
 use osim_model::{
@@ -190,24 +190,33 @@ fn are_apart(ratio: f64) -> bool {
 /// The beginning of the remark on dissipation by radius and by mass, by which it is recognised.
 const START_OF_FORMS: &str = "(14) has two forms: ";
 
-/// A sentence with the dissipation, scaled by (14) from `from` (s/m), by radius and by mass; `None` if the two hardly differ.
-pub fn forms_of_dissipation(ratios: &Ratios, from: f64) -> Option<String> {
+/// A sentence with the dissipation, scaled by (14) from `from` (s/m), by radius and by mass; `None` if the two hardly differ. With the
+/// ratio of `lengths` of bones, also that for the speeds of legs, which go with the root of their length.
+pub fn forms_of_dissipation(ratios: &Ratios, from: f64, lengths: Option<f64>) -> Option<String> {
     let [by_radius, by_mass] =
         [ratios.dissipation(), ratios.dissipation_by_mass()].map(|factor| from * factor);
+    let of_legs = lengths.and_then(|radius| Ratios::new(RatioValues { radius, ..ratios.values() }).ok());
+    let by_legs = of_legs.map(|legs| four_significant(from * legs.dissipation()));
     are_apart(by_radius / by_mass).then(|| {
         format!(
             "{START_OF_FORMS}{} s/m by radius keeps the restitution after falls of equal height over radius, {} s/m by mass that at speeds \
-             in proportion to M^(1/6)",
+             in proportion to M^(1/6){}",
             four_significant(by_radius),
-            four_significant(by_mass)
+            four_significant(by_mass),
+            by_legs.map(|legs| format!(", {legs} s/m by length of bones that at speeds of legs")).unwrap_or_default()
         )
     })
 }
 
 /// Adds a remark, once, if (14) by radius and (14) by mass give clearly different dissipations of a contact with the dissipation `from`.
-pub(crate) fn remark_on_dissipation(remarks: &mut Vec<Phrase>, ratios: &Ratios, from: f64) {
+pub(crate) fn remark_on_dissipation(
+    remarks: &mut Vec<Phrase>,
+    ratios: &Ratios,
+    from: f64,
+    lengths: Option<f64>,
+) {
     let is_new = !remarks.iter().any(|remark| remark.to_string().starts_with(START_OF_FORMS));
-    remarks.extend(forms_of_dissipation(ratios, from).filter(|_| is_new).map(Phrase::from));
+    remarks.extend(forms_of_dissipation(ratios, from, lengths).filter(|_| is_new).map(Phrase::from));
 }
 
 /// A remark that radii follow the mass, or the bones in `follow`, if the two rules are clearly different, and what each keeps. `by_mass` is

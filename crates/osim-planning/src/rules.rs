@@ -215,12 +215,9 @@ pub(crate) fn find_dissipation_forms(
 ) -> Option<Finding> {
     let gravity = sizes.gravity_ratio.unwrap_or(1.0);
     let (mass, radius) = (sizes.mass_ratio?, radius_m / reference_m);
-    let ratios = |radius| Ratios::new(RatioValues { mass, sphere_count: 1.0, radius, gravity }).ok();
-    let forms = forms_of_dissipation(&ratios(radius)?, from)?;
-    let legs = sizes.length_ratio_of_joints().and_then(ratios);
-    let legs = legs.map(|legs| four_significant(from * legs.dissipation()));
-    let legs = legs.map(|legs| format!(", {legs} s/m by length of bones that at speeds of legs"));
-    let text = format!("{forms}{}; this model has {}", legs.unwrap_or_default(), four_significant(now));
+    let ratios = Ratios::new(RatioValues { mass, sphere_count: 1.0, radius, gravity }).ok()?;
+    let forms = forms_of_dissipation(&ratios, from, sizes.length_ratio_of_joints())?;
+    let text = format!("{forms}; this model has {}", four_significant(now));
     Some(Finding::new(&DISSIPATION_FORMS, text))
 }
 

@@ -127,7 +127,8 @@ impl TargetForce<'_> {
             match self.reference_value(property) {
                 Some(value) => {
                     if property == Property::Dissipation && wanted.rule == ScalingRule::Paper {
-                        rules::remark_on_dissipation(&mut plan.remarks, &self.ratios, value);
+                        let lengths = wanted.length_ratio;
+                        rules::remark_on_dissipation(&mut plan.remarks, &self.ratios, value, lengths);
                     }
                     let to = if factor == 1.0 { value } else { value * factor };
                     change_composite(plan, self.force.id, property, to, by)?;

@@ -127,6 +127,8 @@ pub struct Transfer {
     /// New locations and radii of the spheres that move and grow with their bodies. For these spheres, `radius` only decides
     /// which equation is named.
     pub follow: Option<Follow>,
+    /// The ratio of this model's bones to those of the reference, if both are known, for a remark.
+    pub length_ratio: Option<f64>,
     /// Move the centres of the other spheres along this axis so that the lowest points of these spheres stay where they are.
     pub level: Option<LevelAxis>,
     /// The rule that E₁* and α follow.
@@ -150,6 +152,7 @@ impl Transfer {
             dissipation_by: DissipationBy::default(),
             target_gravity_m_s2: None,
             follow: None,
+            length_ratio: None,
             level: None,
             rule: ScalingRule::Paper,
             strict: false,

@@ -11,8 +11,8 @@ use osim_model::compare::ScaleFile;
 use osim_model::files::{Failure, Files, OpenModel};
 use osim_model::messages::{Input, phrase};
 use osim_model::{
-    Anatomy, CountedSpheres, Fault, FaultKind, Mass, MassRequest, MassSource, MissingFact, Model, Selected,
-    Selection, Suspicion, YesQuestion, implausible_mass,
+    Anatomy, BoneLengths, CountedSpheres, Fault, FaultKind, Mass, MassRequest, MassSource, MissingFact,
+    Model, Selected, Selection, Suspicion, YesQuestion, implausible_mass,
 };
 use osim_patch::{Reference, reference_of_model};
 use osim_requests::{Acceleration, Count, Kilograms, TransferRequest};
@@ -39,6 +39,8 @@ pub(super) struct GenericModel {
     pub(super) sphere_count: Result<f64, Fault>,
     /// Names of the generic model's spheres that can carry weight.
     standing: BTreeSet<String>,
+    /// The lengths of its bones.
+    pub(super) bones: BoneLengths,
 }
 
 impl GenericModel {
@@ -49,6 +51,7 @@ impl GenericModel {
             file: None,
             sphere_count: self.sphere_count.clone(),
             standing: names_of_standing_spheres(model),
+            bones: self.bones.clone(),
         }
     }
 
@@ -125,7 +128,8 @@ pub(super) fn reference_of_opened(
     let file =
         request.follow.body_scale_file.as_deref().map(|path| read_scale_file(path, files)).transpose()?;
     let standing = names_of_standing_spheres(&open.model);
-    Ok((reference, state, Some(GenericModel { anatomy, file, sphere_count, standing })))
+    let bones = open.model.joint_distances().clone();
+    Ok((reference, state, Some(GenericModel { anatomy, file, sphere_count, standing, bones })))
 }
 
 /// The reference under the weight that its contacts are made for, for comparisons.

@@ -258,6 +258,8 @@ impl TransferPlanner {
         wanted.rule = self.scaling_rule(follow.as_ref())?;
         wanted.level = self.scaling.level_axis(model.gravity_m_s2);
         wanted.follow = follow;
+        let lengths = generic.and_then(|generic| model.joint_distances().ratio_to(&generic.bones));
+        wanted.length_ratio = lengths.map(|(ratio, _)| ratio);
         wanted.strict = self.follow.strict;
         let mut plan = transfer(model, selected, &wanted)?;
         plan.name_operation(&operation);

@@ -4,10 +4,10 @@
 
 mod ratios;
 
-use std::collections::{BTreeMap, BTreeSet, HashMap};
+use std::collections::{BTreeSet, HashMap};
 
 use crate::model::{
-    Document, ElementId, Fault, MassRequest, Model, NotRead, SizedKind, SizedValue, SizedValues, opensim_text,
+    BoneLengths, Document, ElementId, Fault, MassRequest, Model, NotRead, SizedKind, SizedValue, SizedValues, opensim_text,
 };
 use ratios::SAME_NUMBER_TOLERANCE;
 
@@ -67,15 +67,16 @@ pub struct Similarity {
 impl Similarity {
     /// Compares `model` with its `original`. Two numbers are compared if they have the same kind and the names of their objects are equal.
     pub fn between(model: &ModelSize, original: &ModelSize) -> Self {
-        let (length, length_from) = length_ratio(model, original);
+        let length = model.joint_distances.ratio_to(&original.joint_distances);
+        let length_from = length.map_or(LengthFrom::Mass, |(_, bodies)| LengthFrom::Joints(bodies));
         let ratio = |new: Option<f64>, old: Option<f64>| {
             let ratio = new? / old?;
             (ratio.is_finite() && ratio > 0.0).then_some(ratio)
         };
         let mass = ratio(model.mass_kg, original.mass_kg);
         let gravity = ratio(model.gravity_m_s2, original.gravity_m_s2).unwrap_or(1.0);
-        let ratios =
-            mass.map(|mass| SizeRatios { mass, length: length.unwrap_or_else(|| libm::cbrt(mass)), gravity });
+        let length = |mass: f64| length.map_or_else(|| libm::cbrt(mass), |(ratio, _)| ratio);
+        let ratios = mass.map(|mass| SizeRatios { mass, length: length(mass), gravity });
         let others = values_by_identity(&original.values.values);
         let rows = similarity_rows(model, ratios, |values| Some(compared_with_original(values, &others)));
         let owners = |size: &ModelSize| -> BTreeSet<String> {
@@ -120,20 +121,6 @@ fn values_by_identity(values: &[SizedValue]) -> HashMap<NumberIdentity<'_>, f64>
         value_by_identity.entry((one.kind, one.owner.as_str(), one.part)).or_insert(one.value);
     }
     value_by_identity
-}
-
-/// The ratio of the distances between joints, over all bodies that both models have. The distances are summed, so that long bones count
-/// most.
-fn length_ratio(model: &ModelSize, original: &ModelSize) -> (Option<f64>, LengthFrom) {
-    let (mut new, mut old, mut bodies) = (0.0, 0.0, 0_usize);
-    for (body, distance_m) in &model.joint_distances_m {
-        if let Some(other_m) = original.joint_distances_m.get(body) {
-            (new, old, bodies) = (new + distance_m, old + other_m, bodies + 1);
-        }
-    }
-    let ratio = new / old;
-    let is_known = ratio.is_finite() && ratio > 0.0;
-    if is_known { (Some(ratio), LengthFrom::Joints(bodies)) } else { (None, LengthFrom::Mass) }
 }
 
 fn similarity_rows(
@@ -201,20 +188,17 @@ pub struct ModelSize {
     pub mass_kg: Option<f64>,
     /// Gravity of the model, m/s²; `None` if it is not known.
     pub gravity_m_s2: Option<f64>,
-    /// The longest distance between two joints of each body that has at least two joints, m.
-    joint_distances_m: BTreeMap<String, f64>,
+    joint_distances: BoneLengths,
     values: SizedValues,
 }
 
 impl ModelSize {
     /// The size of `model`, and its numbers that may change with size. `masses` are the masses that the caller gave.
     pub fn of(model: &Model, masses: &MassRequest) -> Self {
-        let distances = model.joint_distances();
-        let longest_in_body = |name: &str| Some((name.to_owned(), distances.longest_in_body(name)?));
         Self {
             mass_kg: masses.model_mass(model).ok().map(|mass| mass.kg),
             gravity_m_s2: model.gravity().filter(|gravity| *gravity > 0.0),
-            joint_distances_m: model.bodies().iter().filter_map(|body| longest_in_body(&body.name)).collect(),
+            joint_distances: model.joint_distances().clone(),
             values: SizedValues::of(model),
         }
     }

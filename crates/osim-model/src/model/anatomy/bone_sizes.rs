@@ -148,7 +148,7 @@ const BONE_LENGTH_IN_RADII: f64 = 13.0;
 
 /// The distances between the joints of each body, a measure of the size of bones: from
 /// [`Model::joint_distances`](crate::model::Model::joint_distances).
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct BoneLengths {
     /// The longest distance between two joints on one body, m: on the named body or a body that is joined to it.
     around_m: BTreeMap<String, f64>,
@@ -187,6 +187,16 @@ impl BoneLengths {
     /// The longest distance between two joints of `body`, m; `None` if it has no two joints at different places.
     pub fn longest_in_body(&self, body: &str) -> Option<f64> {
         self.by_body_m.get(body).copied()
+    }
+
+    /// The ratio of these distances to those of `other`, over all bodies that both have, and the number of these bodies. The distances are
+    /// summed, so that long bones count most.
+    pub fn ratio_to(&self, other: &Self) -> Option<(f64, usize)> {
+        let both =
+            self.by_body_m.iter().filter_map(|(body, own_m)| Some((own_m, other.by_body_m.get(body)?)));
+        let (own_m, other_m): (Vec<f64>, Vec<f64>) = both.unzip();
+        let ratio = own_m.iter().sum::<f64>() / other_m.iter().sum::<f64>();
+        (ratio.is_finite() && ratio > 0.0).then_some((ratio, own_m.len()))
     }
 
     /// The longest bone of the limb, m: the longest distance between two joints of `body` or of a body above it, up to the trunk. `None` if
