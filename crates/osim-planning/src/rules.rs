@@ -216,8 +216,15 @@ pub(crate) fn find_dissipation_forms(
     let gravity = sizes.gravity_ratio.unwrap_or(1.0);
     let (mass, radius) = (sizes.mass_ratio?, radius_m / reference_m);
     let ratios = Ratios::new(RatioValues { mass, sphere_count: 1.0, radius, gravity }).ok()?;
-    let forms = forms_of_dissipation(&ratios, from, sizes.length_ratio_of_joints())?;
-    let text = format!("{forms}; this model has {}", four_significant(now));
+    let length = sizes.length_ratio_of_joints();
+    let forms = forms_of_dissipation(&ratios, from, length)?;
+    let share = length.map(|length| {
+        let share = three_significant(radius / length);
+        format!(
+            "; its radii over its bones are {share} times the other model's, and 1 would be strict similarity"
+        )
+    });
+    let text = format!("{forms}; this model has {}{}", four_significant(now), share.unwrap_or_default());
     Some(Finding::new(&DISSIPATION_FORMS, text))
 }
 
