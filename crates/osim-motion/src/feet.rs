@@ -5,6 +5,7 @@ use std::ops::RangeInclusive;
 use osim_model::{DVec3, ForceId, Limb, Model, Side};
 
 use crate::pair::ContactPair;
+use crate::plate_comparison::percentile;
 use crate::states::{ContactState, ContactStates};
 
 /// A foot and its contacts.
@@ -66,6 +67,20 @@ impl Foot {
             .collect()
     }
 
+    /// The median distance along the floor from centres of pressure in each frame to the foot, m.
+    pub(crate) fn pressure_distance_m(
+        &self,
+        states: &ContactStates,
+        normal: DVec3,
+        point_m: impl Fn(usize) -> Option<DVec3>,
+    ) -> Option<f64> {
+        let in_frame = |frame: usize| {
+            let spheres: Vec<DVec3> = self.contacts(states, frame).map(|state| state.centre_m).collect();
+            Some(level_distance_m(point_m(frame)?, &spheres, normal))
+        };
+        percentile(&(0..states.frames()).filter_map(in_frame).collect::<Vec<f64>>(), 0.5)
+    }
+
     /// The states of the foot's contacts in one frame.
     pub(crate) fn contacts<'s>(
         &self,
@@ -83,6 +98,17 @@ impl Foot {
     ) -> Option<&'s ContactState> {
         self.contacts(states, frame).max_by(|a, b| a.indentation_m.total_cmp(&b.indentation_m))
     }
+}
+
+/// The distance along the floor from a point to the segment between the two spheres that are farthest apart.
+fn level_distance_m(point_m: DVec3, spheres: &[DVec3], normal: DVec3) -> f64 {
+    let level = |vector: DVec3| vector - normal * vector.dot(normal);
+    let all = || spheres.iter().flat_map(|one| spheres.iter().map(move |other| (*one, *other)));
+    let length = |(one, other): &(DVec3, DVec3)| level(*other - *one).length();
+    let Some((from, to)) = all().max_by(|a, b| length(a).total_cmp(&length(b))) else { return f64::NAN };
+    let (along, away) = (level(to - from), level(point_m - from));
+    let part = (away.dot(along) / along.length_squared().max(f64::MIN_POSITIVE)).clamp(0.0, 1.0);
+    (away - part * along).length()
 }
 
 /// Indices of the contact pairs through which the ground pushes spheres, among those that are wanted.
@@ -200,5 +226,12 @@ mod tests {
         assert_eq!((stances[0].on_s, stances[0].last, stances[0].off_s), (None, 0, None));
         let stances = StancePhase::all(&[0.0, 1.0, 2.0], &[f64::NAN, 50.0, 0.0], 100.0);
         assert_eq!((stances[0].first, stances[0].on_s), (1, None));
+    }
+
+    #[test]
+    fn distances_are_level_and_to_the_segment() {
+        let spheres = [DVec3::ZERO, DVec3::new(0.2, 0.3, 0.0), DVec3::new(0.1, 0.0, 0.0)];
+        assert_eq!(level_distance_m(DVec3::new(0.1, 9.0, 0.05), &spheres, DVec3::Y), 0.05);
+        assert!((level_distance_m(DVec3::new(0.5, 0.0, 0.4), &spheres, DVec3::Y) - 0.5).abs() < 1e-12);
     }
 }

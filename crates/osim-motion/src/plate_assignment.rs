@@ -2,10 +2,10 @@
 
 use std::ops::Range;
 
-use osim_model::{DVec3, Side};
+use osim_model::Side;
 
 use crate::feet::{Foot, LIFT_OFF_BW, TOUCH_DOWN_BW};
-use crate::plate_comparison::{level_distance_m, percentile};
+use crate::plate_comparison::percentile;
 use crate::{ContactState, ContactStates, Plate, Wrench};
 
 /// The source of the knowledge which foot a plate measured.
@@ -216,17 +216,15 @@ fn is_under_another_foot(
     states: &ContactStates,
     least_n: f64,
 ) -> bool {
-    let distance_m = |foot: &Foot| {
-        let (normal, on_floor_m) = foot.floor(states)?;
-        let in_frame = |(frame, &time_s): (usize, &f64)| {
-            let centre = plate.at(time_s)?.centre_of_pressure(normal, on_floor_m, least_n)?;
-            let spheres: Vec<DVec3> = foot.contacts(states, frame).map(|state| state.centre_m).collect();
-            Some(level_distance_m(centre.point_m, &spheres, normal))
+    let is_near = |foot: &Foot| {
+        let Some((normal, on_floor_m)) = foot.floor(states) else { return false };
+        let pressure = |frame: usize| {
+            let wrench = plate.at(states.time_s[frame])?;
+            Some(wrench.centre_of_pressure(normal, on_floor_m, least_n)?.point_m)
         };
-        let all: Vec<f64> = states.time_s.iter().enumerate().filter_map(in_frame).collect();
-        percentile(&all, 0.5)
+        let away_m = foot.pressure_distance_m(states, normal, pressure);
+        away_m.is_some_and(|away_m| away_m < SWAPPED_FOOT_DISTANCE_M)
     };
-    let is_near = |foot: &Foot| distance_m(foot).is_some_and(|away_m| away_m < SWAPPED_FOOT_DISTANCE_M);
     plate.has_points && !is_near(&feet[foot]) && feet.iter().any(is_near)
 }
 

@@ -119,17 +119,6 @@ pub(crate) fn percentile(values: &[f64], part: f64) -> Option<f64> {
     Some(low + (place - below as f64) * (high - low))
 }
 
-/// The distance along the floor from a point to the segment between the two spheres that are farthest apart.
-pub(crate) fn level_distance_m(point_m: DVec3, spheres: &[DVec3], normal: DVec3) -> f64 {
-    let level = |vector: DVec3| vector - normal * vector.dot(normal);
-    let all = || spheres.iter().flat_map(|one| spheres.iter().map(move |other| (*one, *other)));
-    let length = |(one, other): &(DVec3, DVec3)| level(*other - *one).length();
-    let Some((from, to)) = all().max_by(|a, b| length(a).total_cmp(&length(b))) else { return f64::NAN };
-    let (along, away) = (level(to - from), level(point_m - from));
-    let part = (away.dot(along) / along.length_squared().max(f64::MIN_POSITIVE)).clamp(0.0, 1.0);
-    (away - part * along).length()
-}
-
 #[cfg(test)]
 mod tests {
     use osim_model::Model;

@@ -94,8 +94,8 @@ impl Consistency {
         let mut remarks = vec![MotionRemark { code: verdict.as_str(), message: why.clone() }];
         let corrected = || MotionRemark { code: "corrected", message: CORRECTED_ALREADY.into() };
         remarks.extend(was_corrected.then(corrected));
-        if !correction.locked_in_feet.is_empty() {
-            let names = correction.locked_in_feet.join(", ");
+        if !correction.locked.is_empty() {
+            let names = correction.locked.join(", ");
             let text = format!(
                 "locked, so that no correction bends the feet there: {names}; unlock them in the model"
             );
@@ -293,11 +293,7 @@ fn figures_in_words(correction: &Correction, soles: &[Option<PressureOnSole>]) -
     let depth = two_digits(figures.largest_relative_indentation);
     let belt_m_s = correction.belt_m_s.length();
     let belt = if belt_m_s > 0.0 { format!("; the belt moves at {belt_m_s:.2} m/s") } else { String::new() };
-    let parts = [("heels", true), ("forefeet", false)].map(|(name, is_heel)| {
-        lifts_in_words(figures, soles, is_heel).map(|lifts| format!("{name} {lifts}"))
-    });
-    let parts = parts.into_iter().flatten().collect::<Vec<String>>().join(", ");
-    let parts = if parts.is_empty() { parts } else { parts + "; " };
+    let parts = lifts_in_words(figures, soles);
     let apart =
         format!("{parts}left and right are lifted alike within {apart}; spheres are at most {depth} R deep");
     [
@@ -308,27 +304,25 @@ fn figures_in_words(correction: &Correction, soles: &[Option<PressureOnSole>]) -
     ]
 }
 
-/// How far the correction moves the heels, or the forefeet, of all feet up or down under load, in words.
-fn lifts_in_words(
-    figures: &CorrectionFigures,
-    soles: &[Option<PressureOnSole>],
-    is_heel: bool,
-) -> Option<String> {
-    let of_foot = |(foot, sole): (&FootErrors, &Option<PressureOnSole>)| {
-        let spheres = foot.lifts_and_forces.iter().zip(&sole.as_ref()?.spheres_m);
-        let own = spheres.filter(|(_, [ahead_m, _])| (*ahead_m < 0.0) == is_heel);
-        let [moved, force_n] = own.fold([0.0; 2], |[a, b], ([c, d], _)| [a + c, b + d]);
-        (force_n > 0.0).then(|| moved / force_n)
+/// How far the correction moves heels and forefeet of all feet up or down under load, in words that begin a sentence.
+fn lifts_in_words(figures: &CorrectionFigures, soles: &[Option<PressureOnSole>]) -> String {
+    let part = |(name, is_heel): (&str, bool)| {
+        let of_foot = |(foot, sole): (&FootErrors, &Option<PressureOnSole>)| {
+            let spheres = foot.lifts_and_forces.iter().zip(&sole.as_ref()?.spheres_m);
+            let own = spheres.filter(|(_, [ahead_m, _])| (*ahead_m < 0.0) == is_heel);
+            let [moved, force_n] = own.fold([0.0; 2], |[a, b], ([c, d], _)| [a + c, b + d]);
+            (force_n > 0.0).then(|| 1e3 * moved / force_n)
+        };
+        let all = || figures.feet.iter().zip(soles).filter_map(of_foot);
+        let (least, most) = (all().reduce(f64::min)?, all().reduce(f64::max)?);
+        let (low, high) = (two_digits(least.abs()), two_digits(most.abs()));
+        Some(match (least < 0.0, most < 0.0) {
+            (true, true) => format!("{name} {high} to {low} mm down, "),
+            (true, false) => format!("{name} {low} mm down to {high} mm up, "),
+            _ => format!("{name} {low} to {high} mm up, "),
+        })
     };
-    let all = || figures.feet.iter().zip(soles).filter_map(of_foot);
-    let (least, most) = (all().reduce(f64::min)?, all().reduce(f64::max)?);
-    let number = |metres: f64| two_digits(1e3 * metres.abs());
-    let (low, high) = (number(least), number(most));
-    Some(match (least < 0.0, most < 0.0) {
-        (true, true) => format!("{high} to {low} mm down"),
-        (true, false) => format!("{low} mm down to {high} mm up"),
-        _ => format!("{low} to {high} mm up"),
-    })
+    [("heels", true), ("forefeet", false)].into_iter().filter_map(part).collect()
 }
 
 /// What the correction changes in inverse dynamics, in words.

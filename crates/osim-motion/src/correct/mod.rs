@@ -46,7 +46,7 @@ pub struct Correction {
     pub figures: CorrectionFigures,
     pub dynamics: InverseDynamics,
     /// The names of locked coordinates inside feet, such as toe joints, which no correction touches.
-    pub locked_in_feet: Vec<String>,
+    pub locked: Vec<String>,
 }
 
 /// Why a motion cannot be corrected.
@@ -219,17 +219,8 @@ pub fn correct(
         found.level.iter().for_each(|(index, along)| values[*index] -= way_m[frame].dot(*along));
     })?;
     let root_height = recording.coordinates[root].name.clone();
-    let (belt_way_m, locked_in_feet) = (way_m, found.locked_in_feet);
-    Ok(Correction {
-        recording,
-        root_height,
-        floor_up_m,
-        belt_m_s,
-        belt_way_m,
-        figures,
-        dynamics,
-        locked_in_feet,
-    })
+    let (belt_way_m, locked) = (way_m, found.locked_in_feet);
+    Ok(Correction { recording, root_height, floor_up_m, belt_m_s, belt_way_m, figures, dynamics, locked })
 }
 
 /// The model, its recording and its contacts, for which a correction is searched.

@@ -8,10 +8,8 @@ use super::dynamics::{END_FRAMES, Masses};
 use super::figures::{CorrectionFigures, FootErrors};
 use super::unknowns::CorrectionOptions;
 use crate::plate_assignment::SWAPPED_FOOT_DISTANCE_M;
-use crate::plate_comparison::{level_distance_m, percentile};
-use crate::{
-    CentreOfPressure, ContactStates, Foot, MeasuredForces, Recording, StatesError, TOUCH_DOWN_BW, Wrench,
-};
+use crate::plate_comparison::percentile;
+use crate::{ContactStates, Foot, MeasuredForces, Recording, StatesError, TOUCH_DOWN_BW, Wrench};
 
 /// Why plates, motion and contacts do not go together.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -103,26 +101,22 @@ pub fn mismatches(
         down if !down.is_empty() || total.points_down() => return Ok(vec![Mismatch::Sign { foot: None }]),
         _ => {}
     }
-    // The median over stance of a number of the centre of pressure of one foot, with its force along the normal.
-    let median = |foot: usize, number: &dyn Fn(usize, CentreOfPressure, f64) -> f64| {
-        let in_frame = |frame: usize| {
-            let wrench = measured.feet.get(foot)?.get(frame)?.as_ref()?;
-            let centre = wrench.centre_of_pressure(normal, on_floor_m, TOUCH_DOWN_BW * weight_n)?;
-            Some(number(frame, centre, along(wrench)))
-        };
-        percentile(&(0..states.frames()).filter_map(in_frame).collect::<Vec<f64>>(), 0.5)
+    // The centre of pressure of one foot, and the force along the normal.
+    let pressure = |foot: usize, frame: usize| {
+        let wrench = measured.feet.get(foot)?.get(frame)?.as_ref()?;
+        let centre = wrench.centre_of_pressure(normal, on_floor_m, TOUCH_DOWN_BW * weight_n)?;
+        Some((centre, along(wrench)))
     };
     // The distance from the centre of pressure, times `scale`, to a foot.
     let distance_m = |foot: usize, other: usize, scale: f64| {
-        let pairs = &feet[other].pairs;
-        median(foot, &|frame, centre, _| {
-            let spheres = pairs.iter().filter_map(|&pair| Some(states.frame(frame).get(pair)?.centre_m));
-            level_distance_m(centre.point_m * scale, &spheres.collect::<Vec<DVec3>>(), normal)
-        })
+        let point_m = |frame: usize| Some(pressure(foot, frame)?.0.point_m * scale);
+        feet[other].pressure_distance_m(states, normal, point_m)
     };
     let mut found = Vec::new();
     for foot in (0..feet.len()).filter(|&foot| measured.has_points.get(foot) == Some(&true)) {
-        let arm_m = median(foot, &|_, centre, force_n| (centre.free_moment_n_m / force_n).abs());
+        let all = (0..states.frames()).filter_map(|frame| pressure(foot, frame));
+        let arms_m = all.map(|(centre, force_n)| (centre.free_moment_n_m / force_n).abs());
+        let arm_m = percentile(&arms_m.collect::<Vec<f64>>(), 0.5);
         if let Some(distance_m) = arm_m.filter(|arm_m| *arm_m > LARGEST_PRESSURE_DISTANCE_M) {
             let unit = (distance_m < MOST_ARM_IN_N_MM_M).then_some("moments in N mm");
             found.push(Mismatch::Place { foot, distance_m, unit });
@@ -457,12 +451,5 @@ mod tests {
         assert_eq!((found[2], found[37]), (None, None));
         let expected = -9.0 * (3.0 * times[20]).sin() * DVec3::Y;
         assert!((found[20].unwrap() - expected).length() < 1e-6, "{found:?}");
-    }
-
-    #[test]
-    fn distances_are_level_and_to_the_segment() {
-        let spheres = [DVec3::ZERO, DVec3::new(0.2, 0.3, 0.0), DVec3::new(0.1, 0.0, 0.0)];
-        assert_eq!(level_distance_m(DVec3::new(0.1, 9.0, 0.05), &spheres, DVec3::Y), 0.05);
-        assert!((level_distance_m(DVec3::new(0.5, 0.0, 0.4), &spheres, DVec3::Y) - 0.5).abs() < 1e-12);
     }
 }
