@@ -22,6 +22,9 @@ pub struct Step {
 /// holds this number.
 pub const MOST_STEPS: u32 = 100_000;
 
+/// The smallest k̂ of a step: x̂ is 2, so that a sphere lies wholly in the floor.
+const SOFTEST: f64 = 0.75;
+
 /// Ratio of the composite moduli that belong to two dimensionless stiffnesses at one load,
 /// E*_a / E*_b = (k̂_a / k̂_b)^(3/2), without unit.
 ///
@@ -52,7 +55,7 @@ pub fn modulus_ratio(stiffness_a: f64, stiffness_b: f64) -> Result<f64, DomainEr
 /// crate.
 ///
 /// # Errors
-/// [`DomainError`] unless 0 < `first` < `last`, `dissipation_ratio` ≥ 1, all finite, and 2 ≤ `count` ≤ [`MOST_STEPS`].
+/// [`DomainError`] unless 0.75 ≤ `first` < `last`, `dissipation_ratio` ≥ 1, all finite, and 2 ≤ `count` ≤ [`MOST_STEPS`].
 ///
 /// ```
 /// use contact_scaling::continuation::steps;
@@ -64,13 +67,9 @@ pub fn modulus_ratio(stiffness_a: f64, stiffness_b: f64) -> Result<f64, DomainEr
 /// ```
 pub fn steps(first: f64, last: f64, dissipation_ratio: f64, count: u32) -> Result<Vec<Step>, DomainError> {
     let last = require_positive("dimensionless stiffness of the last step", last)?;
-    let first = require_positive("dimensionless stiffness of the first step", first)?;
-    require_range(
-        first < last,
-        "dimensionless stiffness of the first step",
-        first,
-        "less than that of the last step",
-    )?;
+    let (name, wanted) =
+        ("dimensionless stiffness of the first step", "0.75 or more, and less than the last");
+    require_range((SOFTEST..last).contains(&first), name, first, wanted)?;
     let ratio = require_positive("ratio of the dissipations", dissipation_ratio)?;
     require_range(ratio >= 1.0, "ratio of the dissipations", ratio, "1 or more")?;
     require_range((2..=MOST_STEPS).contains(&count), "number of steps", f64::from(count), "2 to 100000")?;
@@ -118,6 +117,7 @@ mod tests {
         for (first, last, ratio, count) in [
             (1.2, 1.2, 1.0, 3),
             (1.2, 0.5, 1.0, 3),
+            (0.7, 9.0, 1.0, 3),
             (0.0, 9.0, 1.0, 3),
             (1.2, 9.0, 0.5, 3),
             (1.2, 9.0, 1.0, 1),

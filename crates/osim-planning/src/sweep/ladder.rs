@@ -21,9 +21,6 @@ pub(super) struct SweepLadder {
 /// The largest √cf/R of a step over its x̂. A sphere that just touches then carries 0.082 of its load: half of this to the power of 3/2.
 const MOST_CONSTANT_INDENTATION: f64 = 0.3;
 
-/// The least k̂ of a step: x̂ is 2, so that a sphere is as deep as it is thick.
-const SOFTEST: f64 = 0.75;
-
 impl SweepLadder {
     /// Computes the steps from the contacts of the model and the wanted design.
     ///
@@ -46,13 +43,6 @@ impl SweepLadder {
         let last_s_m = largest_dissipation(&designed);
         let ratio = if first_s_m > last_s_m && last_s_m > 0.0 { first_s_m / last_s_m } else { 1.0 };
         let soft = request.soft.get();
-        if soft < SOFTEST {
-            let why = phrase![
-                "{} is {}, expected 0.75 or more: with less, x/R is above 2 (3/(2 K)), and a sphere lies wholly in the floor";
-                Input::Soft, shortest(soft)
-            ];
-            return Err(RequestFault::refused(Input::Soft, why));
-        }
         let steps = continuation::steps(soft, last, ratio, count).map_err(|error| {
             let message = phrase![Input::Soft, format!(" {}: {error}", shortest(soft))];
             RequestFault::refused(Input::Soft, message)
