@@ -150,7 +150,7 @@ impl ContactStates {
         Self::from_pairs(model, recording, (self.pairs.clone(), self.planes.clone()), belt, None)
     }
 
-    /// What [`along`](Self::along) computes, for a motion in which most coordinates are those of `known`.
+    /// What [`along`](Self::along) computes, for a motion in which most coordinates are those of `known`; without forces, which are 0.
     pub(crate) fn along_after(
         &self,
         model: &Model,
@@ -191,7 +191,7 @@ impl ContactStates {
                 let Some(moving) = body.and_then(|body| places.get(body)) else { continue };
                 let belt_m_s = if pair.is_ground { belt.at(frame) } else { DVec3::ZERO };
                 let surface = surface.at(&places, moving.at.point(pair.centre_m));
-                states.push(contact_state(pair, moving, &surface, belt_m_s));
+                states.push(contact_state(pair, moving, &surface, belt_m_s, known.is_none()));
             }
         }
         let loops = paths.loops.clone();
@@ -316,6 +316,7 @@ fn contact_state(
     moving: &MovingPlacement,
     surface: &SurfaceInFrame,
     belt_m_s: DVec3,
+    has_force: bool,
 ) -> ContactState {
     let normal = surface.normal;
     let centre_m = moving.at.point(pair.centre_m);
@@ -327,7 +328,7 @@ fn contact_state(
     let rate_m_s = -relative.dot(normal);
     let against_belt = relative - belt_m_s;
     let slip_m_s = against_belt - against_belt.dot(normal) * normal;
-    let normal_force_n = pair.law.force(indentation_m, rate_m_s);
+    let normal_force_n = if has_force { pair.law.force(indentation_m, rate_m_s) } else { 0.0 };
     ContactState {
         centre_m,
         velocity_m_s: moving.velocity_of(pair.centre_m),
