@@ -214,7 +214,7 @@ pub(super) fn minimise(problem: &StageProblem<'_>, unknowns: &mut Vec<f64>, smal
 fn correction_sizes(setting: &CorrectionInputs<'_>, slopes: &[FootSlopes]) -> NormalEquations {
     let (basis, coordinates) = (&setting.basis, &setting.coordinates);
     let count = coordinates.len();
-    let mut sizes = NormalEquations::new(setting.coefficients(), 4 * count);
+    let mut sizes = NormalEquations::new(setting.coefficients(), count);
     let mut entries = Vec::new();
     // Adds the square of a sum over coordinates of a frame; `order` 2 takes the accelerations.
     let mut add = |sizes: &mut NormalEquations, frame: usize, order: usize, by: &[(usize, f64)]| {

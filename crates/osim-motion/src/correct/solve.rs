@@ -15,10 +15,12 @@ pub(super) struct NormalEquations {
 }
 
 impl NormalEquations {
-    /// Equations for `coefficients` of splines, of which those less than `width` apart are related, and for the constants.
-    pub(super) fn new(coefficients: usize, width: usize) -> Self {
+    /// Equations for `coefficients` of cubic splines, in blocks of this size of which each is related to the three before it, and for the
+    /// constants.
+    pub(super) fn new(coefficients: usize, block: usize) -> Self {
         let count = coefficients + CONSTANTS;
-        let length = |i: usize| if i < coefficients { (i + 1).min(width) } else { i + 1 };
+        let first = |i: usize| if i < coefficients { (i / block).saturating_sub(3) * block } else { 0 };
+        let length = |i: usize| i + 1 - first(i);
         let mut ends: Vec<usize> = (0..count).map(length).collect();
         (1..count).for_each(|i| ends[i] += ends[i - 1]);
         Self { entries: vec![0.0; ends.last().copied().unwrap_or(0)], ends, gradient: vec![0.0; count] }
@@ -126,7 +128,7 @@ mod tests {
 
     /// Equations of 9 coefficients and all constants, and the same as a dense matrix.
     fn equations() -> (NormalEquations, Vec<Vec<f64>>) {
-        let mut equations = NormalEquations::new(9, 4);
+        let mut equations = NormalEquations::new(9, 1);
         let mut dense = vec![vec![0.0; 12]; 12];
         for number in 0..40_usize {
             let first = number % 6;
@@ -167,7 +169,7 @@ mod tests {
         // Two blocks of four unknowns; of each the curves 0, 1 and 3, with two residuals.
         let (blocks, curves) = ([(1, 0.4), (5, 0.6)], [0, 1, 3]);
         let rows = [[0.3, -0.8, 1.7], [2.0, 0.1, -0.4]];
-        let (mut one, mut other) = (NormalEquations::new(9, 8), NormalEquations::new(9, 8));
+        let (mut one, mut other) = (NormalEquations::new(9, 4), NormalEquations::new(9, 4));
         for row in rows {
             let slopes = blocks.iter().flat_map(|(start, weight)| {
                 curves.iter().zip(row).map(move |(curve, slope)| (start + curve, weight * slope))
@@ -183,6 +185,6 @@ mod tests {
 
     #[test]
     fn equations_without_a_solution_have_no_step() {
-        assert_eq!(NormalEquations::new(2, 2).damped_step(0.0), None);
+        assert_eq!(NormalEquations::new(2, 1).damped_step(0.0), None);
     }
 }
