@@ -166,13 +166,15 @@ pub(crate) fn warn_forces(plan: &mut PlanBuilder<'_>, forces: &[ForceId], proper
         .with_placeholder(Input::Spheres, "N");
     let call = call.with_placeholder(Input::Indentation, "X").with_placeholder(Input::Restitution, "CR");
     let call = call.with_placeholder(Input::ImpactSpeed, "M/S");
+    let of_speeds = Verb::Set.call_with_model().with_placeholder(Input::Dissipation, "x1/V");
     for force in forces.iter().filter_map(|&id| model.force(id)) {
         if model.sphere_pairs(force).is_empty() {
             continue;
         }
         plan.remarks.push(phrase![
-            "{} presses spheres on each other: here its force goes with body weight (10), its speed with gravity (14); for others: {}";
-            force.path.clone(), call.clone()
+            "{} presses spheres on each other: here its force goes with body weight (10), its speed with gravity (14); for others: {}; \
+            for a ratio V of speeds: {}, then {}";
+            force.path.clone(), call.clone(), Input::Keep.with_value("dissipation"), of_speeds.clone()
         ]);
     }
     let chosen = forces.iter().filter_map(|&id| model.force(id));
