@@ -282,7 +282,7 @@ fn causes_are_those_that_explain_the_plates() {
         "feet.osim",
         std::iter::once(first).chain(locked).collect::<Vec<_>>().join("<Coordinate name=\"mtp_angle_"),
     );
-    assert!(remarks("--correct b.sto").contains("mtp_angle_r, mtp_angle_l; unlock them"));
+    assert!(remarks("--correct b.sto").contains("mtp_angle_r, mtp_angle_l: locked"));
 }
 
 /// A foot whose plate is not in the file was not measured: its force is not 0.

@@ -67,7 +67,7 @@ impl MeasuredForces {
         let mut may_be_on: Vec<Vec<usize>> = plates.iter().map(|plate| candidate_feet(plate, feet)).collect();
         let least_n = TOUCH_DOWN_BW * weight_n;
         if let Some(foot) = foot_of_all_plates(&uses)
-            && plates.iter().any(|plate| is_under_another_foot(plate, foot, feet, states, least_n))
+            && plates.iter().any(|plate| is_under_other(plate, foot, feet, states, least_n))
         {
             let said = uses.iter_mut().zip(&mut may_be_on).filter(|(usage, _)| usage.foot.is_some());
             for (usage, may_be_on) in said {
@@ -209,13 +209,7 @@ fn foot_of_all_plates(uses: &[PlateAssignment]) -> Option<usize> {
 }
 
 /// Whether a plate's centre of pressure is far from `foot`, and near another foot.
-fn is_under_another_foot(
-    plate: &Plate,
-    foot: usize,
-    feet: &[Foot],
-    states: &ContactStates,
-    least_n: f64,
-) -> bool {
+fn is_under_other(plate: &Plate, foot: usize, feet: &[Foot], states: &ContactStates, least_n: f64) -> bool {
     let is_near = |foot: &Foot| {
         let Some((normal, on_floor_m)) = foot.floor(states) else { return false };
         let pressure = |frame: usize| {

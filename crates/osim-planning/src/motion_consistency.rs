@@ -81,13 +81,12 @@ impl Consistency {
             let remarks = vec![MotionRemark { code: "disagree", message: why.clone() }];
             return Ok(Consistency { verdict: MotionVerdict::Disagree, why, remarks, correction: None });
         }
-        let plate_of_no_foot = measured.uses.iter().find(|plate| plate.by.is_none());
+        let lost = measured.uses.iter().find(|plate| plate.by.is_none());
+        let correction = correct(model, recording, (states, feet), measured, weight_n, options);
         let correction =
-            correct(model, recording, (states, feet), measured, weight_n, options).map_err(|fault| {
-                match plate_of_no_foot.filter(|_| fault == CorrectionError::NoForce) {
-                    Some(plate) => unknown_foot(&plate.plate, "no foot has a force"),
-                    None => fault.to_string(),
-                }
+            correction.map_err(|fault| match lost.filter(|_| fault == CorrectionError::NoForce) {
+                Some(plate) => unknown_foot(&plate.plate, "no foot has a force"),
+                None => fault.to_string(),
             })?;
         let (verdict, causes) = correction.figures.verdict(seen, options);
         let why = verdict_in_words(verdict, (&causes, given_delay_s), feet, &correction);
@@ -96,9 +95,7 @@ impl Consistency {
         remarks.extend(was_corrected.then(corrected));
         if !correction.locked.is_empty() {
             let names = correction.locked.join(", ");
-            let text = format!(
-                "locked, so that no correction bends the feet there: {names}; unlock them in the model"
-            );
+            let text = format!("{names}: locked, so that no foot bends there; unlock them in the model");
             remarks.push(MotionRemark { code: "locked-toes", message: text.into() });
         }
         // Smoothing does not help what is no goal.

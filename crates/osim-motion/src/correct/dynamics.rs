@@ -110,9 +110,8 @@ impl<'m> Masses<'m> {
         let mut slopes = vec![DVec3::ZERO; recording.frames() * coordinates.len()];
         for (number, coordinate) in coordinates.iter().enumerate() {
             let moved = recording.changed(couplers, |_, values, _| values[coordinate.index] += SLOPE_STEP)?;
-            for (frame, (after, before)) in
-                self.centre_along(&moved, Some(&known)).iter().zip(&at).enumerate()
-            {
+            let after = self.centre_along(&moved, Some(&known));
+            for (frame, (after, before)) in after.iter().zip(&at).enumerate() {
                 slopes[frame * coordinates.len() + number] = (*after - *before) / SLOPE_STEP;
             }
         }
