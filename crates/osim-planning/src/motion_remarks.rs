@@ -25,6 +25,8 @@ use crate::{MotionResult, rules, run_motion};
 const WEIGHT_TOLERANCE: f64 = 0.05;
 /// No subject has less than this part of the weight of its model.
 const LEAST_WEIGHT: f64 = 0.01;
+/// Said of plates that are all assigned to one foot, although another foot is on one of them.
+pub(crate) const PLATES_ON_ONE_FOOT: &str = "all plates are said to be under one foot, and another foot is on one of them: each force counts for the foot nearest to it";
 /// If the centres of pressure of model and plates differ by more than this along the foot, m, a remark says so.
 const DISPLACED_COP_M: f64 = 0.02;
 /// The largest number of names that a remark lists.
@@ -195,8 +197,7 @@ impl MotionResult {
             remarks.add("plate-of-no-foot", unknown_foot(&plate.plate, "it counts only in the total"));
         }
         if measured.uses.iter().any(|plate| plate.by == Some(AssignedBy::NearestOfAll)) {
-            let text = "all plates are said to be under one foot, and another foot is on one of them:";
-            remarks.add("plates-on-one-foot", format!("{text} each force counts for the foot nearest to it"));
+            remarks.add("plates-on-one-foot", PLATES_ON_ONE_FOOT);
         }
         let is_unmeasured = |foot: &&FootSummary| {
             foot.comparison.is_none() && !measured.uses.iter().any(|plate| plate.by.is_none())

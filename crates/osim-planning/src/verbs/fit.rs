@@ -13,8 +13,8 @@ use osim_model::{
 use osim_motion::correct::mismatches;
 use osim_motion::fit::{FitBounds, FitError, FitTrial, FittedParameter, FootForces, MotionFit, fit_motion};
 use osim_motion::{
-    Belt, ContactStates, Foot, FootSummary, MeasuredForces, Recording, RecordingOptions, StatesError,
-    Summary, Table,
+    AssignedBy, Belt, ContactStates, Foot, FootSummary, MeasuredForces, Recording, RecordingOptions,
+    StatesError, Summary, Table,
 };
 use osim_patch::{FittedFoot, FittedNumber, Plan, RecordingErrors, Set, set};
 use osim_requests::options::{AnswerOptions, InspectionOptions};
@@ -26,7 +26,7 @@ use crate::motion::{
     recording_options,
 };
 use crate::motion_consistency::{MotionRemark, cause_in_words, unknown_foot};
-use crate::motion_remarks::weight_mismatch;
+use crate::motion_remarks::{PLATES_ON_ONE_FOOT, weight_mismatch};
 use crate::prepared_change::{Planner, PreparedChange, file_name};
 
 /// Number of significant digits of a fitted number that are written. More digits are not determined by the recordings.
@@ -266,6 +266,8 @@ impl Planner for FitPlanner {
         let subject =
             states_of_trials.iter().find_map(|one| weight_mismatch(&one.summary, mass_kg, gravity_m_s2));
         plan.remarks.extend(subject.map(Phrase::from));
+        let are_on_one_foot = uses().any(|one| one.by == Some(AssignedBy::NearestOfAll));
+        plan.remarks.extend(are_on_one_foot.then(|| Phrase::from(PLATES_ON_ONE_FOOT)));
         let gaps = self.trials.iter().filter_map(|trial| trial.plates.gaps_during(&trial.table.time_s));
         plan.remarks.extend(gaps.map(Phrase::from));
         let null_bw = errors.null_vertical_rms_bw;
