@@ -406,6 +406,28 @@ fn an_output_without_an_ending_causes_a_warning() {
 }
 
 #[test]
+fn files_beside_results_ask_for_their_folder_as_an_output_does() {
+    let dir = TestDir::with(&[HUMAN, ("motion/walker.osim", "walker.osim"), ("motion/walk.mot", "walk.mot")]);
+    for call in [
+        "human.osim --target-mass 80 --report no/such/r.html",
+        "human.osim --target-mass 80 --dry-run --summary no/such/s.csv",
+        "human.osim --target-mass 80 -d out --summary no/such/s.csv",
+        "check human.osim --report no/such/r.html",
+        "inspect human.osim --report no/such/r.html",
+        "plot force human.osim -o no/such/f.svg",
+        "plot force human.osim -o f.svg --data no/such/f.csv",
+        "motion walker.osim walk.mot -o no/such/forces.sto",
+    ] {
+        let message = "error: the folder no/such is not there: make it first";
+        dir.run(call).usage_error().wrote_nothing().says(&[message]);
+    }
+    // The run makes this one for its results.
+    let call = "human.osim --target-mass 80 -d out/kg80 --report out/r.html --summary ./out/s.csv";
+    dir.run(call).succeeded().wrote(&["out/kg80/human.osim", "out/r.html", "out/s.csv"]);
+    dir.run("check human.osim --report r.html").succeeded().wrote(&["r.html"]);
+}
+
+#[test]
 fn other_columns_of_a_table_are_in_the_summary() {
     let Some(dir) = dir_of_case("batch_carries_other_columns") else { return };
     dir.write("m.osim", fixture(HUMAN.0));

@@ -284,6 +284,7 @@ impl Run {
         let row = |number| format!("lib/{0},{1},out/{0}\n", model_name(number), 200 + number);
         let rows: String = (0..self.models).map(row).collect();
         dir.write("masses.csv", format!("model,target-mass,output\n{rows}"));
+        std::fs::create_dir(dir.path("notes")).unwrap();
         for call in self.before {
             assert!(
                 dir.command(call).stdout(Stdio::null()).stderr(Stdio::null()).status().unwrap().success()

@@ -22,7 +22,7 @@ mod write;
 pub use fault::{FaultCause, LibraryFault};
 pub use file_access::{reason, sha256};
 pub use motion_files::MotionFiles;
-pub use paths::{folder_of, make_folder_of, resolved};
+pub use paths::{folder_of, make_folder_of, require_folder_of, resolved};
 pub use source::{
     Disk, LoadedModel, ModelOrigin, ModelSource, OrdinaryFiles, Sources, SplitName, workbook_as_csv,
 };

@@ -10,7 +10,7 @@ use osim_view::report::results::{
 };
 
 use crate::LibraryFault;
-use crate::paths::make_folder_of;
+use crate::paths::{make_folder_of, require_folder_of};
 use crate::run::PathConflicts;
 use crate::write::{WriteMode, write_files};
 
@@ -52,6 +52,8 @@ impl MotionFiles {
                     phrase!["{} '{}': expected a name that ends in .sto or .mot"; input, path],
                 ));
             }
+            let folders = [&request.moco, &request.nmsm].into_iter().flatten().map(PathBuf::as_path);
+            path.map_or(Ok(()), |path| require_folder_of(path, folders))?;
         }
         let with = |path: Option<&Path>, ending: &str| path.map(|path| path.with_extension(ending));
         let own = |path: Option<&Path>| path.map(Path::to_owned);

@@ -44,6 +44,21 @@ pub fn folder_of(path: &Path) -> &Path {
     path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
 }
 
+/// Refuses the file `path`, which the user named, if its folder is not there and none of the `results` is written into it.
+pub fn require_folder_of<'p>(
+    path: &Path,
+    results: impl IntoIterator<Item = &'p Path>,
+) -> Result<(), LibraryFault> {
+    let folder = folder_of(path);
+    // A folder that cannot be looked at is left to the system's own message.
+    let is_missing = folder.try_exists().is_ok_and(|there| !there);
+    let is_of_results = || results.into_iter().any(|result| resolved(result).starts_with(resolved(folder)));
+    if is_missing && !is_of_results() {
+        return Err(LibraryFault::new(format!("the folder {} is not there: make it first", folder.display())));
+    }
+    Ok(())
+}
+
 /// Makes the folder of `path` and the folders above it.
 pub fn make_folder_of(path: &Path) -> Result<(), LibraryFault> {
     if folder_of(path).is_dir() {

@@ -18,7 +18,7 @@ use crate::report_page::{ReportPage, Words};
 use crate::run::{ModelToFix, PathConflicts};
 use crate::source::MemoryFirst;
 use crate::workers::{thread_count, work_in_order};
-use crate::{Disk, LibraryFault, LoadedModel, ModelSource, OutputFolders, Sources, sha256};
+use crate::{Disk, LibraryFault, LoadedModel, ModelSource, OutputFolders, Sources, require_folder_of, sha256};
 
 /// Models that one call inspects or checks, with the options of the call.
 pub struct Survey<'s> {
@@ -54,9 +54,10 @@ impl Survey<'_> {
     /// Begins the report page if the options name one, with entries of models that could not be listed. The page shows `call`.
     ///
     /// # Errors
-    /// The name has another ending than `.html`, the file exists already, or this call reads it.
+    /// The name has another ending than `.html`, its folder is not there, the file exists already, or this call reads it.
     pub fn begin_page(&self, call: String) -> Result<Option<ReportPage>, LibraryFault> {
         let Some(path) = &self.report.report else { return Ok(None) };
+        require_folder_of(path, self.check.and_then(|call| call.output_dir.as_deref()))?;
         let mut conflicts = PathConflicts::default();
         self.sources.models.iter().for_each(|source| conflicts.add_input(source.path.as_path()));
         self.inspector.extra_files.iter().for_each(|path| conflicts.add_input(path.as_path()));

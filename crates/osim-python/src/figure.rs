@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 use contact_plots::{Axis, Curve, Drawing, PlotError};
-use osim_library::{PendingFile, WriteMode, make_folder_of};
+use osim_library::{PendingFile, WriteMode, require_folder_of};
 use osim_model::messages::Input;
 use osim_requests::spell::Python as PythonWords;
 use osim_requests::{Request, RequestFault};
@@ -113,7 +113,7 @@ impl Figure {
 #[pyfunction]
 pub(crate) fn write_file(py: Python<'_>, path: PathBuf, bytes: PyBackedBytes, force: bool) -> PyResult<()> {
     without_gil(py, || {
-        make_folder_of(&path)?;
+        require_folder_of(&path, None)?;
         let mode = if force { WriteMode::Replace } else { WriteMode::New };
         Ok(PendingFile::new(&path, &bytes, None, mode)?.commit()?)
     })

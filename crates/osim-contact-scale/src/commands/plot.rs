@@ -6,7 +6,7 @@ use anyhow::{Result, bail};
 use contact_plots::Drawing;
 use osim_inspect::series::ContactBody;
 use osim_library::run::PathConflicts;
-use osim_library::{Disk, WriteMode, write_files};
+use osim_library::{Disk, WriteMode, require_folder_of, write_files};
 use osim_model::messages::Input;
 use osim_requests::PlotRequest;
 use osim_view::figures;
@@ -59,7 +59,7 @@ impl<'o> PlotOutput<'o> {
     /// The outputs that the request names, checked before anything is computed.
     ///
     /// # Errors
-    /// A name does not have the ending of a picture or table, or is the name of a file that is read.
+    /// A name does not have the ending of a picture or table, is that of a file that is read, or its folder is not there.
     fn of(request: &'o PlotRequest, session: &Session) -> Result<Self> {
         let Some(path) = request.output.as_deref() else { bail!("no output given") };
         let data = request.data.as_deref();
@@ -74,6 +74,7 @@ impl<'o> PlotOutput<'o> {
             if !is_csv(data) {
                 return Err(session.wrong_ending(Input::Data, data, ".csv"));
             }
+            require_folder_of(data, None).map_err(|fault| session.file_error(&fault))?;
             conflicts
                 .add_output(data, "the table of the figure")
                 .map_err(|fault| session.file_error(&fault))?;
@@ -93,6 +94,7 @@ impl<'o> PlotOutput<'o> {
             }
             _ => return Err(session.wrong_ending(Input::Output, path, ".svg, .pdf or .png")),
         };
+        require_folder_of(path, None).map_err(|fault| session.file_error(&fault))?;
         conflicts.add_output(path, "the figure").map_err(|fault| session.file_error(&fault))?;
         Ok(Self { path: Some(path), picture, data })
     }

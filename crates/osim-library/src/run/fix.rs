@@ -14,7 +14,7 @@ use osim_requests::{Request, RequestError};
 use crate::run::request::RunRequest;
 use crate::run::task::{JobSettings, ResultDestination, Task};
 use crate::run::writing::{PreparedFiles, ResultBytes};
-use crate::{Disk, LibraryFault, ModelOrigin, ModelSource, OutputFolders, WriteMode};
+use crate::{Disk, LibraryFault, ModelOrigin, ModelSource, OutputFolders, WriteMode, require_folder_of};
 
 /// A model with its check, before the changes that the check proposes.
 pub(crate) struct ModelToFix<'m> {
@@ -50,6 +50,7 @@ impl ModelToFix<'_> {
         let task = Task::new(self.source.clone(), output, Arc::new(JobSettings::new(change, output)));
         let request = RunRequest::new(verb, vec![task]);
         request.check_paths(&RunOptions::default()).map_err(refused)?;
+        output.output.as_deref().map_or(Ok(()), |path| require_folder_of(path, None)).map_err(refused)?;
         let task = request
             .tasks
             .first()

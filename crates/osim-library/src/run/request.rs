@@ -13,7 +13,7 @@ use osim_requests::spell::Speller;
 
 use crate::run::task::{JobSettings, PathConflicts, PathOwner, Task};
 use crate::run::{Record, ResultBytes, WrittenOutput};
-use crate::{LibraryFault, ModelSource, Sources, folder_of};
+use crate::{LibraryFault, ModelSource, Sources, folder_of, require_folder_of};
 
 /// A request for one run: its tasks, and the models that could not be listed.
 pub struct RunRequest {
@@ -76,7 +76,7 @@ impl RunRequest {
         })
     }
 
-    /// Refuses to write a file that is read, or to write a file twice.
+    /// Refuses to write a file that is read, to write a file twice, or to write beside the results into a folder that is not there.
     pub(super) fn check_paths(&self, run: &RunOptions) -> Result<(), LibraryFault> {
         let mut conflicts = PathConflicts::default();
         self.extra_files.iter().for_each(|path| conflicts.add_input(path.as_path()));
@@ -117,10 +117,12 @@ impl RunRequest {
                 _ => {}
             }
         }
-        if let Some(path) = &run.report {
-            conflicts.add_output(path, "the report")?;
+        for (path, owner) in [(&run.report, "the report"), (&run.summary, "the summary")] {
+            let Some(path) = path else { continue };
+            require_folder_of(path, self.tasks.iter().filter_map(Task::output))?;
+            conflicts.add_output(path, owner)?;
         }
-        run.summary.as_ref().map_or(Ok(()), |path| conflicts.add_output(path, "the summary"))
+        Ok(())
     }
 }
 
