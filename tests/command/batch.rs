@@ -113,6 +113,10 @@ fn a_table_that_is_not_a_manifest_is_refused_with_a_correction() {
     for (manifest, says) in [
         ("model,targt-mass\nhuman.osim,5\n", "did you mean 'target-mass'"),
         ("#file,target-mass\nhuman.osim,5\n", "no column 'model'"),
+        ("name,target-mass\nhuman.osim,5\n", "call the column with the names of the files 'model'"),
+        ("model,target-mass\nhuman,5\n", "there is no such file: human: did you mean human.osim?"),
+        ("model,Target mass (lb)\nhuman.osim,180\n", "expected kg, not lb"),
+        ("model,Body mass (kg)\nhuman.osim,80\n", "is 'Body mass (kg)' that mass?"),
         ("model,model\nhuman.osim,5\n", "appears twice"),
         ("model,target-mass,dry-run\nhuman.osim,5,yes\n", "after the table's name"),
         ("model,target-mass\nhuman.osim\n", "line 2: 1 cells, expected 2"),

@@ -126,8 +126,9 @@ impl TableRows<'_> {
         if !row.model.is_file() {
             let why =
                 if row.model.exists() { "this is not an ordinary file" } else { "there is no such file" };
-            let message = format!("{why}: {}", row.model.display());
-            return Err(RowFault::of(column, message));
+            let model = Some(row.model.with_extension("osim")).filter(|path| path.is_file());
+            let hint = model.map(|path| format!(": did you mean {}?", path.display())).unwrap_or_default();
+            return Err(RowFault::of(column, format!("{why}: {}{hint}", row.model.display())));
         }
         let settings = self.row_settings(row, shared)?;
         let source = ModelSource { named: false, ..ModelSource::file(&row.model) };

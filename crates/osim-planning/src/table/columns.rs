@@ -104,9 +104,9 @@ impl Columns {
             return Err(message);
         }
         let Some(model) = columns.iter().find(|column| column.kind == CellKind::Model) else {
-            return Err(
-                format!("no column 'model' in the first row, which has {}", quoted_cells(header)).into()
-            );
+            let has = quoted_cells(header);
+            let what = "call the column with the names of the files 'model' or 'file'";
+            return Err(format!("no column 'model' in the first row, which has {has}: {what}").into());
         };
         let model = model.header.clone();
         Ok(Self { columns, model })
@@ -189,7 +189,10 @@ fn column(
         "verb" if !dashes => CellKind::Verb,
         "set" if !dashes => CellKind::Set,
         name => match known.get(name) {
-            Some(Some(kind)) => *kind,
+            Some(Some(kind)) => {
+                refuse_other_unit(cell, name)?;
+                *kind
+            }
             Some(None) => return Err(message_about_run_option(cell, name)),
             None => match did_you_mean(cell, known) {
                 None if keeps_others => CellKind::UserColumn,
@@ -203,6 +206,21 @@ fn column(
         },
     };
     Ok(Column { header: cell.to_owned(), field, kind })
+}
+
+/// Refuses a header such as `Target mass (lb)`, with another unit than that of the option `field`.
+fn refuse_other_unit(cell: &str, field: &str) -> Result<(), Phrase> {
+    let Some((_, unit)) = cell.split_once(['(', '[']) else { return Ok(()) };
+    let unit = unit.trim_end_matches([')', ']', ' ']).trim();
+    let is_mass = option_named(Verb::Rescale, field).is_some_and(|option| option.value_name == "KG");
+    let is_in = |units: &[&str]| units.iter().any(|one| unit.eq_ignore_ascii_case(one));
+    let expected = if is_mass { "kg" } else { "m" };
+    let is_right = if is_mass { is_in(&["kg"]) } else { !is_in(&["mm", "cm", "in", "inch"]) };
+    if is_right {
+        return Ok(());
+    }
+    let what = format!("numbers are not converted, expected {expected}, not {unit}");
+    Err(format!("the column '{cell}': {what}{WAY_OUT}").into())
 }
 
 /// The message that a column is an option of the whole run.
@@ -297,6 +315,15 @@ mod tests {
         assert_eq!(fields(&["model", "from", "mass", "file"]), ["model", "from", "mass", "file"]);
         assert_eq!(columns_of(&["model", "from", "file"]).unwrap().unmarked_user_columns(), ["file"]);
         assert_eq!(fields(&["model", "spheres follow their bodies"]), ["model", "follow_bodies"]);
+    }
+
+    #[test]
+    fn a_column_in_another_unit_is_refused() {
+        for header in ["Target mass (lb)", "mass [g]", "Contacts mass (stone)", "mass (N)", "Radius (mm)"] {
+            let message = columns_of(&["model", header]).unwrap_err().to_string();
+            assert!(message.contains("numbers are not converted, expected"), "{header}: {message}");
+        }
+        assert!(columns_of(&["model", "Target mass (KG)", "radius [m]", "weight (lb)"]).is_ok());
     }
 
     #[test]

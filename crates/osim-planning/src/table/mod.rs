@@ -331,8 +331,13 @@ fn verb_of_row(row: &Row, columns: &Columns) -> Result<Verb, RowFault> {
             .ok_or_else(|| RowFault::of(&column.header, format!("'{cell}', expected {}", changing_verbs())));
     }
     let shown = VERBS_OF_COLUMNS.into_iter().find(|(field, _)| filled(field).is_some());
-    let message = "what to do is missing: fill in a target mass (rescale), from (transfer), set, or verb";
-    shown.map(|(_, verb)| verb).ok_or_else(|| RowFault::general(message))
+    let message = || {
+        let is_mass = |name: &String| ["mass", "weight"].iter().any(|word| name.to_lowercase().contains(word));
+        let mass = columns.unmarked_user_columns().into_iter().find(is_mass);
+        let hint = mass.map(|name| format!("; is '{name}' that mass? Call it target-mass")).unwrap_or_default();
+        format!("what to do is missing: fill in a target mass (rescale), from (transfer), set, or verb{hint}")
+    };
+    shown.map(|(_, verb)| verb).ok_or_else(|| RowFault::general(message()))
 }
 
 /// A path in the table, which begins at the table's own folder.
