@@ -368,7 +368,28 @@ fn files_that_are_not_models_are_named_by_what_they_are() {
 
 #[test]
 fn presets_are_all_listed() {
-    TestDir::new().run("presets").succeeded().says(&["falisse2022", "moco-2d-gait"]);
+    let dir = TestDir::with_human();
+    dir.run("presets").succeeded().says(&["falisse2022", "moco-2d-gait"]);
+    let out = dir.run("presets moco-2d-gait").succeeded().says_not(&["dhondt2024"]).out();
+    assert!(out.starts_with("moco-2d-gait\nspheres with radii and places of their own"), "{out}");
+    // One that is misspelled or cut off is named, and so is a model without its ending.
+    for (call, near) in [
+        ("presets Falisse2022", "falisse2022"),
+        ("presets falisse", "falisse2022"),
+        ("presets moco-2d", "moco-2d-gait"),
+        ("transfer human.osim --from falise2022", "falisse2022"),
+        ("transfer human.osim --from human", "human.osim"),
+    ] {
+        dir.run(call).usage_error().wrote_nothing().says(&[&format!("did you mean '{near}'?")]);
+    }
+    let run = dir.run("presets nobody2022").usage_error();
+    run.says(&["osim-rl, dhondt2024, moco-2d-gait"]).says_not(&["did you mean"]);
+    for (call, near) in [("check human", "human.osim"), ("inspect HUMAN.OSIM", "human.osim")] {
+        dir.run(call).failed().says(&[&format!("there is no such file: did you mean {near}?")]);
+    }
+    // Another subject is no near name.
+    dir.write("s12.osim", "");
+    dir.run("check s13.osim").failed().says_not(&["did you mean"]);
 }
 
 #[test]

@@ -3,6 +3,8 @@
 use std::collections::HashMap;
 use std::path::{Component, Path, PathBuf};
 
+use osim_model::nearest_names;
+
 use crate::fault::{Context, LibraryFault};
 
 /// The absolute path without links, `.` and `..`; parts that do not exist yet stay as they are written.
@@ -42,6 +44,19 @@ pub(crate) fn relative_path(from: &Path, to: &Path) -> PathBuf {
 /// The folder of a file: `.` for a bare name.
 pub fn folder_of(path: &Path) -> &Path {
     path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
+}
+
+/// The file that a missing `path` may mean: its name has the ending of a model, too, or is nearly the same. Names of subjects, which
+/// differ in a number, are no near names.
+pub(crate) fn similar_file(path: &Path) -> Option<PathBuf> {
+    let name = path.file_name()?.to_str()?;
+    let number = |name: &str| name.chars().filter(char::is_ascii_digit).collect::<String>();
+    let files = std::fs::read_dir(folder_of(path)).ok()?.flatten().take(1000);
+    let names = files.filter_map(|file| file.file_name().into_string().ok());
+    let names: Vec<String> = names.filter(|other| number(other) == number(name)).collect();
+    let model = names.iter().find(|other| other.eq_ignore_ascii_case(&format!("{name}.osim")));
+    let near = || nearest_names(name, names.iter().map(String::as_str), 2).first().copied();
+    Some(path.with_file_name(model.map(String::as_str).or_else(near)?))
 }
 
 /// Refuses the file `path`, which the user named, if its folder is not there and none of the `results` is written into it.

@@ -6,7 +6,7 @@ use contact_scaling::{Contact, ContactValues, DomainError, Preset, Scale, ScaleV
 use osim_model::compare::{ScaleFile, refuse_without_moco_phase};
 use osim_model::files::{CompanionPaths, Failure, FileError, Files, InMemory, ModelFiles, OpenModel};
 use osim_model::messages::{Input, phrase};
-use osim_model::{Document, FileId, LineIndex};
+use osim_model::{Document, FileId, LineIndex, nearest_names};
 use osim_patch::{preset_model, presets_with_places};
 use osim_requests::options::SetFiles;
 use osim_requests::{PresetsRequest, RequestError, RequestFault};
@@ -83,10 +83,13 @@ impl NamedSource {
         if may_be_file(word, files) {
             return Ok(Self::File);
         }
+        let shown = word.display().to_string();
+        let (names, model) = (all_preset_names(presets, files), word.with_extension("osim"));
+        let near = Some(&model).filter(|path| files.exists(path)).map(|path| path.display().to_string());
+        let hint = near.map_or_else(|| similar_preset(&shown, &names), |model| format!(": did you mean '{model}'?"));
         let neither = format!(
-            "'{}': there is no such file and no such preset, expected a model or one of: {}",
-            word.display(),
-            all_preset_names(presets, files).join(", ")
+            "'{shown}': there is no such file and no such preset, expected a model or one of: {}{hint}",
+            names.join(", ")
         );
         let fault = match input {
             Some(input) => RequestFault::refused(input, phrase![input, " ", neither]),
@@ -108,6 +111,14 @@ pub fn all_preset_names(presets: Option<&Path>, files: &dyn Files) -> Vec<String
     let names = presets.iter().map(|preset| preset.name.to_string());
     let others = presets_of_unlike_spheres(&presets).map(str::to_owned);
     names.chain(others).collect()
+}
+
+/// The hint `: did you mean ...?` with the preset whose name is nearly `name`, or begins so; an empty text if there is none.
+fn similar_preset(name: &str, names: &[String]) -> String {
+    let (known, begin) = (names.iter().map(String::as_str), name.to_lowercase());
+    let near = nearest_names(name, known.clone(), 2).first().copied();
+    let near = near.or_else(|| known.clone().find(|one| begin.len() > 2 && one.starts_with(&begin)));
+    near.map(|near| format!(": did you mean '{near}'?")).unwrap_or_default()
 }
 
 /// The names of presets whose spheres have radii of their own, so that no [`Preset`] describes them.
@@ -262,7 +273,7 @@ pub fn find_presets(request: &PresetsRequest, files: &dyn Files) -> Result<Vec<P
              transfer take them"
         )]));
     }
-    let names: Vec<String> = all.iter().map(|preset| preset.name.to_string()).collect();
-    let names = names.join(", ");
-    Err(RequestFault::general(phrase![format!("unknown preset '{name}', expected one of: {names}")]))
+    let names = all_preset_names(request.presets.as_deref(), files);
+    let (listed, hint) = (names.join(", "), similar_preset(name, &names));
+    Err(RequestFault::general(phrase![format!("unknown preset '{name}', expected one of: {listed}{hint}")]))
 }

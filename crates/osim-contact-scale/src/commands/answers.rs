@@ -187,7 +187,12 @@ pub(crate) fn explain(request: &ExplainRequest, session: &mut Session) -> Result
 /// # Errors
 /// The file of presets cannot be read, or the name is unknown.
 pub(crate) fn presets(request: &PresetsRequest, session: &mut Session) -> Result<Exit> {
-    let presets = find_presets(request, &Disk).map_err(|fault| session.usage_error(&fault))?;
+    // A record has one radius for all spheres.
+    let (is_text, named) = (request.format != Format::Json, request.name.as_deref());
+    let presets = match find_presets(request, &Disk) {
+        Err(_) if is_text && presets_of_unlike_spheres(&[]).any(|name| named == Some(name)) => Vec::new(),
+        found => found.map_err(|fault| session.usage_error(&fault))?,
+    };
     let columns = session.terminal.columns();
     for (index, preset) in presets.iter().enumerate() {
         let text = match request.format {
@@ -197,11 +202,11 @@ pub(crate) fn presets(request: &PresetsRequest, session: &mut Session) -> Result
         };
         session.terminal.print_as(&text, request.format == Format::Json)?;
     }
-    // A record has one radius for all spheres.
-    let is_list = request.name.is_none() && request.format != Format::Json;
-    for name in presets_of_unlike_spheres(&presets).filter(|_| is_list) {
+    let is_shown = |name: &&str| is_text && named.is_none_or(|one| one == *name);
+    for name in presets_of_unlike_spheres(&presets).filter(is_shown) {
+        let gap = if presets.is_empty() { "" } else { "\n" };
         let text = "spheres with radii and places of their own; add, transfer and drop-test take it";
-        session.terminal.print(&format!("\n{name}\n{text}\n"))?;
+        session.terminal.print(&format!("{gap}{name}\n{text}\n"))?;
     }
     Ok(Exit::Done)
 }

@@ -13,6 +13,7 @@ use std::time::{Duration, SystemTime};
 use osim_model::FileId;
 use osim_model::files::{Failure, FileError, Files, ModelFiles};
 use osim_requests::options::SetFiles;
+use crate::paths::similar_file;
 
 use crate::fault::{Context, LibraryFault};
 use crate::file_access::{self, FileKinds, sha256};
@@ -143,8 +144,14 @@ impl LoadedModel {
         let kinds = if source.named { FileKinds::Streams } else { FileKinds::Ordinary };
         let stamped = StampedDisk { kinds, stamps: RefCell::default() };
         let disk = MemoryFirst { memory, disk: &stamped };
-        let unreadable =
-            |error: FileError| Failure::outside(source.path.as_path(), "unreadable", error.to_string());
+        let unreadable = |error: FileError| {
+            let near = if error == FileError::not_found() { similar_file(&source.path) } else { None };
+            let message = near.map_or_else(
+                || error.to_string(),
+                |near| format!("there is no such file: did you mean {}?", near.display()),
+            );
+            Failure::outside(source.path.as_path(), "unreadable", message)
+        };
         let bytes = disk.read(&source.path).map_err(unreadable)?;
         let files = ModelFiles::read(&source.path, bytes, set_files.companion_paths(), &disk)?;
         Ok(Self::new(&source.path, files, stamped.stamps.into_inner()))
