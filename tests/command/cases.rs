@@ -384,7 +384,7 @@ fn presets_are_all_listed() {
     }
     let run = dir.run("presets nobody2022").usage_error();
     run.says(&["osim-rl, dhondt2024, moco-2d-gait"]).says_not(&["did you mean"]);
-    for (call, near) in [("check human", "human.osim"), ("inspect HUMAN.OSIM", "human.osim")] {
+    for (call, near) in [("check human", "human.osim"), ("inspect humn.osim", "human.osim")] {
         dir.run(call).failed().says(&[&format!("there is no such file: did you mean {near}?")]);
     }
     // Another subject is no near name.

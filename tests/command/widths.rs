@@ -92,7 +92,13 @@ fn fix_does_what_check_prints_and_ends_with_the_status_of_the_result() {
     // A folder: the command that `check` prints for it.
     let folder = dir.run("check subjects --from generic.osim").failed().out();
     assert_eq!(folder.lines().filter(|line| line.starts_with("$ ")).count(), 1, "{folder}");
-    dir.run("check subjects --from generic.osim --fix -d results").succeeded();
+    let fix = "check subjects --from generic.osim --fix -d results";
+    let fixed = dir.run(fix).succeeded();
+    let count = fixed.changed.len();
+    fixed.says(&[&format!("{count} of {count} models corrected and written into results")]);
+    let refused = dir.run(fix).usage_error().wrote_nothing();
+    assert_eq!(refused.err().lines().count(), 1, "{}", refused.err());
+    refused.says(&[&format!("{count} of {count} results exist already"), "(--force)", "another folder with -d DIR"]);
     assert_eq!(dir.text("results/subject02.osim"), dir.text("fixed.osim"));
 }
 
@@ -101,7 +107,9 @@ fn fix_without_a_command_or_with_a_wrong_call_writes_nothing() {
     let dir = folder_of_models();
     dir.run("check good.osim --fix -o new.osim").succeeded().wrote_nothing().says(&["nothing to correct"]);
     dir.run("check good.osim -o new.osim").usage_error().says(&["-o needs --fix"]);
-    dir.run("check good.osim broken.osim --fix -o new.osim").exited_with(2).wrote_nothing();
+    let several = dir.run("check good.osim broken.osim --fix -o new.osim").usage_error().wrote_nothing();
+    several.says(&["-o names one file", "name a folder with -d DIR"]);
+    dir.run("check good.osim human.osim --fix -d new").succeeded().says(&["0 of 2 models corrected and written"]);
     let text = dir.text("scaled.osim");
     dir.run("check scaled.osim --from generic.osim --fix --in-place").succeeded();
     assert!(dir.text("scaled.osim") != text && dir.text("scaled.osim.bak") == text);

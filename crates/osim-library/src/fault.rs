@@ -49,12 +49,13 @@ impl LibraryFault {
         ])
     }
 
-    /// The fault that several results exist already: `which` and how many, with the `first` of them. `resume` goes on with them.
-    pub(crate) fn results_exist(which: impl Display, first: &Path, resume: &Phrase) -> Self {
+    /// The fault that several results exist already: `which` and how many, with the `first` of them. `resume` goes on with them, if the
+    /// verb can.
+    pub(crate) fn results_exist(which: impl Display, first: &Path, resume: Option<&Phrase>) -> Self {
+        let resume = resume.map(|resume| phrase!["continue the earlier run ({}), "; resume]).unwrap_or_default();
         Self::new(phrase![
-            "{which} exist already, such as {}: continue the earlier run ({}), replace them ({}), or choose another \
-            folder with {}";
-            first.display().to_string(), resume, Input::Force, Input::OutputDir.with_placeholder("DIR")
+            "{which} exist already, such as {}: {}replace them ({}), or choose another folder with {}";
+            first.display().to_string(), &resume, Input::Force, Input::OutputDir.with_placeholder("DIR")
         ])
     }
 

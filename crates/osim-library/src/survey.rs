@@ -15,7 +15,7 @@ use osim_view::report::extent::Layout;
 use osim_view::report::inspection::{self, ModelsTable};
 
 use crate::report_page::{ReportPage, Words};
-use crate::run::{ModelToFix, PathConflicts};
+use crate::run::{ModelToFix, NOTHING_WRITTEN, PathConflicts, ResultDestination};
 use crate::source::MemoryFirst;
 use crate::workers::{thread_count, work_in_order};
 use crate::{Disk, LibraryFault, LoadedModel, ModelSource, OutputFolders, Sources, require_folder_of, sha256};
@@ -54,8 +54,9 @@ impl Survey<'_> {
     /// Begins the report page if the options name one, with entries of models that could not be listed. The page shows `call`.
     ///
     /// # Errors
-    /// The name has another ending than `.html`, its folder is not there, the file exists already, or this call reads it.
+    /// The check would write several models to one file, or several results exist already. The name of the page has another ending than `.html`, its folder is not there, the file exists already, or this call reads it.
     pub fn begin_page(&self, call: String) -> Result<Option<ReportPage>, LibraryFault> {
+        self.check.map_or(Ok(()), |call| self.refuse_outputs(call))?;
         let Some(path) = &self.report.report else { return Ok(None) };
         require_folder_of(path, self.check.and_then(|call| call.output_dir.as_deref()))?;
         let mut conflicts = PathConflicts::default();
@@ -71,6 +72,29 @@ impl Survey<'_> {
         OutputFolders::list(std::iter::once(path.as_path()), true);
         let failures = &self.sources.failures;
         ReportPage::begin(path, self.report.force, head, failures, self.words).map(Some)
+    }
+
+    /// Refuses one output for several models, and several results that exist already and may not be replaced.
+    fn refuse_outputs(&self, call: &CheckRequest) -> Result<(), LibraryFault> {
+        let (models, output) = (&self.sources.models, call.output());
+        if models.len() > 1 && output.output.is_some() {
+            return Err(LibraryFault::new(phrase![
+                "{} names one file, and these are several models: name a folder with {}";
+                Input::Output, Input::OutputDir.with_placeholder("DIR")
+            ]));
+        }
+        let results = models.iter().filter(|_| call.fix && !output.force);
+        let existing = results.filter_map(|source| match ResultDestination::of_source(source, &output) {
+            ResultDestination::File(path) if path.exists() => Some(path),
+            _ => None,
+        });
+        match existing.collect::<Vec<_>>().as_slice() {
+            all @ [first, _, ..] => {
+                let which = format!("{} of {} results", all.len(), models.len());
+                Err(LibraryFault::results_exist(which, first, None))
+            }
+            _ => Ok(()),
+        }
     }
 
     /// Inspects or checks all models on `jobs` threads, until `is_stopped` returns true. Puts each model on the `page`, then calls `each`
@@ -89,13 +113,6 @@ impl Survey<'_> {
         mut each: impl FnMut(&str, SurveyedModel) -> Result<(), E>,
     ) -> Result<Option<E>, E> {
         let models = &self.sources.models;
-        if models.len() > 1 && self.check.is_some_and(|call| call.output.is_some()) {
-            let fault = phrase![
-                "{} names one file, and these are several models: name a folder with {}";
-                Input::Output, Input::OutputDir
-            ];
-            return Err(LibraryFault::new(fault).into());
-        }
         let lists = self.verb == Verb::Check || self.is_table();
         let folders =
             lists.then(|| OutputFolders::list(models.iter().map(|source| source.path.as_path()), false));
@@ -271,7 +288,12 @@ impl SurveyText {
                 let gap = if std::mem::take(&mut self.is_first) { "" } else { "\n" };
                 return format!("{gap}{}", inspection::text(inspected, self.words, self.layout));
             }
-            (SurveyedModel::Checked(check_result, _), _, Some(table)) => table.add(check_result),
+            (SurveyedModel::Checked(check_result, written), _, Some(table)) => {
+                table.add(check_result);
+                if written.as_ref().is_some_and(|written| !written.starts_with(NOTHING_WRITTEN)) {
+                    table.written += 1;
+                }
+            }
             (SurveyedModel::Checked(check_result, written), _, None) => {
                 let mut text = check::text(check_result, self.words, self.layout);
                 text.extend(written.as_ref().map(|written| format!("{written}\n")));

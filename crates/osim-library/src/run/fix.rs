@@ -16,6 +16,9 @@ use crate::run::task::{JobSettings, ResultDestination, Task};
 use crate::run::writing::{PreparedFiles, ResultBytes};
 use crate::{Disk, LibraryFault, ModelOrigin, ModelSource, OutputFolders, WriteMode, require_folder_of};
 
+/// How the sentence about a model begins that needs no change, or for which no change is known.
+pub(crate) const NOTHING_WRITTEN: &str = "nothing written";
+
 /// A model with its check, before the changes that the check proposes.
 pub(crate) struct ModelToFix<'m> {
     pub(crate) source: &'m ModelSource,
@@ -39,10 +42,10 @@ impl ModelToFix<'_> {
     ) -> Result<(CheckResult, String), Failure> {
         let Some(first) = self.checked.steps.first() else {
             let why = match self.checked.counts.error + self.checked.counts.warning {
-                0 => "nothing written: there is nothing to correct",
-                _ => "nothing written: no command corrects this",
+                0 => "there is nothing to correct",
+                _ => "no command corrects this",
             };
-            return Ok((self.checked, why.to_owned()));
+            return Ok((self.checked, format!("{NOTHING_WRITTEN}: {why}")));
         };
         let refused = |fault: LibraryFault| fault.into_failure(self.opened.name(), "output");
         let change = Arc::new(change_of_step(first, self.opened)?);

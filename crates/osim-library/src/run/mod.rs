@@ -26,7 +26,7 @@ use crate::run::summary::SummaryWriter;
 use crate::workers::{thread_count, work_in_order};
 use crate::write::{OutputFolders, WriteMode};
 
-pub(crate) use fix::ModelToFix;
+pub(crate) use fix::{ModelToFix, NOTHING_WRITTEN};
 pub use model_job::{ModelOutcome, OutcomeCounts, PlannedModel};
 pub use record::{JsonRecord, Record, Status};
 pub use request::{ChangedModel, ModelDetail, RunFrontEnd, RunRequest};
@@ -108,7 +108,7 @@ impl<'r> Run<'r> {
                 let which = format!("{} of {} results", existing.len(), self.request.tasks.len());
                 let summary = Input::Summary.with_placeholder("FILE");
                 let resume = phrase![summary, " ", Input::Resume, " with the FILE that it kept"];
-                Err(LibraryFault::results_exist(which, first, &resume))
+                Err(LibraryFault::results_exist(which, first, Some(&resume)))
             }
             _ => Ok(()),
         }

@@ -97,7 +97,7 @@ pub enum ResultDestination {
 
 impl ResultDestination {
     /// Where the result for `source` is written, by the output options.
-    fn of_source(source: &ModelSource, output: &OutputOptions) -> Self {
+    pub(crate) fn of_source(source: &ModelSource, output: &OutputOptions) -> Self {
         if let Some(path) = &output.output {
             return if path.as_os_str() == "-" { Self::Stdout } else { Self::File(path.clone()) };
         }

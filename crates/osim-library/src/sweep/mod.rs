@@ -212,7 +212,7 @@ impl<'s> SweepRun<'s> {
         match first {
             Some(first) => {
                 let which = format!("{existing} of these files");
-                Err(LibraryFault::results_exist(which, &first, &phrase![Input::Resume]))
+                Err(LibraryFault::results_exist(which, &first, Some(&phrase![Input::Resume])))
             }
             None => Ok(()),
         }

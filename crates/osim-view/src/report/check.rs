@@ -273,6 +273,8 @@ pub struct LibraryTable {
     corrected: usize,
     without_contacts: Vec<String>,
     not_read: Vec<String>,
+    /// The number of models that the call corrected and wrote.
+    pub written: usize,
 }
 
 /// The models in which a code was found.
@@ -335,7 +337,8 @@ impl LibraryTable {
             [only] => only.display().to_string(),
             _ => String::new(),
         };
-        let (command, mut head) = (self.command(), self.headline());
+        // A call that corrects has done what can be done.
+        let (command, mut head) = (self.command().filter(|_| !self.call.fix), self.headline());
         if command.is_some() {
             let bad = self.counts.iter().filter(|counts| counts.error + counts.warning > 0).count();
             head.push_str(&format!("; this command puts {} right:", part_of_all(self.corrected, bad)));
@@ -352,6 +355,12 @@ impl LibraryTable {
             let table = self.table(&folder, layout);
             let rows = table.lines().map(|line| format!("{}\n", line.strip_prefix(' ').unwrap_or(line)));
             text.push_str(&painted_rows(&rows.collect::<String>(), layout));
+        }
+        if self.call.fix {
+            let folder = self.call.output_dir.as_ref().map(|folder| format!(" into {}", folder.display()));
+            let (written, all) = (self.written, counted(self.counts.len(), "model"));
+            let line = format!("{written} of {all} corrected and written{}", folder.unwrap_or_default());
+            text.push_str(&layout.wrapped(&line, "  "));
         }
         text.push_str(&layout.wrapped(&self.unchecked_in_words(), "  "));
         text
@@ -425,7 +434,10 @@ impl LibraryTable {
         };
         match self.not_read.as_slice() {
             [] => format!("every file was read; {without}"),
-            models => format!("{} not read: {}; {without}", models.len(), names(models)),
+            models => {
+                let what = if self.call.fix { "not read or not corrected" } else { "not read" };
+                format!("{} {what}: {}; {without}", models.len(), names(models))
+            }
         }
     }
 }
