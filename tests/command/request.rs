@@ -116,6 +116,8 @@ fn a_wrong_request_is_refused_with_a_way_out() {
     ] {
         dir.run_with_stdin("request -", text.as_bytes()).usage_error().wrote_nothing().says(&[expected]);
     }
+    let typed = dir.run_words(&["request", r#"{"verb":"check","models":["human.osim"]}"#]);
+    assert!(String::from_utf8(typed.stderr).unwrap().contains("give it on standard input (-)"));
     dir.run("request absent.json").usage_error().says(&["absent.json: there is no such file"]);
     dir.write("wrong.json", "{");
     dir.run("request wrong.json").usage_error().says(&["wrong.json: this is not JSON"]);

@@ -122,11 +122,16 @@ fn a_verb_after_its_model_and_an_option_of_another_verb_get_a_suggestion() {
     for (call, message) in [
         ("human.osim check", "'check' is not a file: did you mean 'check human.osim'?"),
         ("human.osim stiffness=1e6", "did you mean 'set human.osim stiffness=1e6'?"),
+        ("set human.osim stiffness 1e6", "a property and its value are one word: write stiffness=1e6"),
+        ("plot human.osim -o f.svg", "name one before the model, as in 'plot force human.osim'"),
+        ("motion human.osim walk.mot plates.sto", "did you mean --plates plates.sto?"),
+        ("completions tcsh", "[possible values: bash, elvish, fish, powershell, zsh]"),
         ("human.osim --from g.osim", "'--from' found: it is an option of transfer, add, inspect, check"),
         ("motion human.osim --target-mass 80", "it is an option of rescale, inspect, plot"),
     ] {
         dir.run(call).usage_error().wrote_nothing().says(&[message]);
     }
+    dir.run("completions tcsh").usage_error().says_not(&["did you mean", "similar"]);
     let blank = dir.run_words(&["my model.osim", "check"]);
     assert!(String::from_utf8(blank.stderr).unwrap().contains("'check \"my model.osim\"'"));
 }

@@ -171,6 +171,7 @@ fn wrong_recordings_are_refused_with_a_reason() {
     );
     assert_refused(&dir, "motion walker.osim walk.mot --plates late.sto", "no time in common");
     assert_refused(&dir, "motion walker.osim walk.mot --loads plates.xml", "--plates");
+    assert_refused(&dir, "motion walker.osim walk.mot --plates plates.xml", "plates.xml: this is XML");
     assert_refused(&dir, "motion walker.osim walk.mot --low-pass 60", "below half of that, 50 Hz");
     assert_refused(&dir, "motion walker.osim nothing.mot", "there is no such file");
 }

@@ -253,11 +253,16 @@ pub(crate) fn usage_line(error: &clap::Error) -> String {
         let option = option.split(' ').next().unwrap_or_default().to_owned();
         return format!("{option} '{}': {reason}", shown(&value));
     }
+    // clap finds `zsh` near to `tcsh`.
+    let value = context(ContextKind::InvalidValue).unwrap_or_default();
+    let is_near = |near: &String| {
+        near.starts_with(&value.to_lowercase()) || !nearest_names(&value, [near.as_str()], 2).is_empty()
+    };
     if let (ErrorKind::InvalidValue, Some(value), Some(option), Some(near)) = (
         error.kind(),
         context(ContextKind::InvalidValue),
         context(ContextKind::InvalidArg),
-        context(ContextKind::SuggestedValue),
+        context(ContextKind::SuggestedValue).filter(is_near),
     ) {
         // A value without an option is named by what it is alone.
         let name = option.split(' ').next().filter(|name| name.starts_with('-'));
@@ -273,7 +278,7 @@ pub(crate) fn usage_line(error: &clap::Error) -> String {
         .take_while(|line| !line.starts_with("Usage:") && !line.starts_with("For more"))
         .map(|line| line.trim_start_matches("tip: "))
         // Nobody who misspells an option wants it to be a file.
-        .filter(|line| !line.contains("as a value, use '--"))
+        .filter(|line| !line.contains("as a value, use '--") && !line.starts_with("a similar value exists"))
         .collect();
     if let Some(verbs) = verbs.filter(|verbs| !verbs.is_empty()) {
         return format!("{first}: it is an option of {verbs} (a verb is the first word)");
@@ -404,11 +409,28 @@ fn call_with_verb(word: &str, words: &[PathBuf], terms: Words) -> Option<String>
     Some(format!("'{word}' is not a file: did you mean '{verb}{rest}'?"))
 }
 
-/// The message that `plot fig1` cannot be drawn, even if other arguments are missing, too.
+/// The message that `plot fig1` cannot be drawn, even if other arguments are missing, too; or that a figure is missing before a model.
 pub(crate) fn suggested_figure(words: &[String], terms: Words) -> Option<String> {
     let [verb, kind, ..] = words else { return None };
-    let is_fig1 = verb == Verb::Plot.name() && kind == PlotKind::Fig1.as_str();
-    is_fig1.then(|| no_fig1().spelled(terms))
+    if verb != Verb::Plot.name() {
+        return None;
+    }
+    if kind == PlotKind::Fig1.as_str() {
+        return Some(no_fig1().spelled(terms));
+    }
+    let is_model = !kind.starts_with('-') && Path::new(kind).extension().is_some();
+    let call = |kind: &str| format!("plot force {}", terms.word(kind));
+    is_model.then(|| format!("'{kind}' is no figure: name one before the model, as in '{}'", call(kind)))
+}
+
+/// The message that the plates of `motion` have no option before them.
+pub(crate) fn suggested_plates(words: &[String], terms: Words) -> Option<String> {
+    let [verb, model, motion, plates, ..] = words else { return None };
+    let is_table = |word: &String| word.ends_with(".mot") || word.ends_with(".sto");
+    let is_motion = verb == Verb::Motion.name() && !model.starts_with('-');
+    let are_names = is_motion && is_table(motion) && is_table(plates);
+    let meant: Phrase = phrase!["did you mean {}?"; Input::Plates.with_value(plates.as_str())];
+    are_names.then(|| format!("'{plates}' is a third name after motion: {}", meant.spelled(terms)))
 }
 
 /// The kilograms in an argument such as `20`, `20kg` or `20000g`.

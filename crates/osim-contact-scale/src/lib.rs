@@ -18,7 +18,7 @@ use osim_model::messages::Verb;
 use osim_requests::{PlotKind, RequestFault};
 
 use crate::args::{
-    Call, bare_command, command, is_quiet, suggest, suggested_axis, suggested_figure, typed_call, usage_line,
+    Call, bare_command, command, is_quiet, suggest, suggested_axis, suggested_figure, suggested_plates, typed_call, usage_line,
     verb_names,
 };
 use crate::exit::{Exit, exit_of, text_of};
@@ -113,9 +113,9 @@ fn print_clap_error(error: &clap::Error, terminal: &mut Terminal) -> Exit {
             let words: Vec<String> =
                 std::env::args_os().skip(1).map(|word| word.to_string_lossy().into_owned()).collect();
             let of_words = || (kind == ErrorKind::UnknownArgument).then(suggestion_for_call).flatten();
-            let of_figure = || suggested_figure(&words, COMMAND_LINE_WORDS);
-            let meant = suggested_axis(&words, COMMAND_LINE_WORDS).or_else(of_figure).or_else(of_words);
-            let text = meant.unwrap_or_else(|| usage_line(error));
+            let of_verb = [suggested_axis, suggested_figure, suggested_plates];
+            let meant = of_verb.iter().find_map(|suggested| suggested(&words, COMMAND_LINE_WORDS));
+            let text = meant.or_else(of_words).unwrap_or_else(|| usage_line(error));
             terminal.error_line(&format!("{text} (see --help)"));
             Exit::Usage
         }

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use clap::builder::{PossibleValue, PossibleValuesParser};
 use clap::parser::ValueSource;
 use clap::{Arg, ArgAction, ArgMatches, Command, value_parser};
+use osim_model::Property;
 use osim_model::messages::{Phrase, Verb, shortest};
 use serde_json::{Map, Value};
 
@@ -134,7 +135,15 @@ pub fn read(
     let request = Request::read_typed(verb, fields)?;
     match request {
         Request::Set(mut request) => {
-            for word in words {
+            let mut words = words.into_iter().peekable();
+            while let Some(word) = words.next() {
+                let is_property = |word: &str| Property::ALL.iter().any(|property| property.name() == word);
+                let property = word.to_str().filter(|word| is_property(word) && !is_file(Path::new(word)));
+                if let Some(name) = property {
+                    let value = words.peek().and_then(|value| value.to_str()).unwrap_or("VALUE");
+                    let message = format!("a property and its value are one word: write {name}={value}");
+                    return Err(RequestFault::general(message));
+                }
                 // A name that is not UTF-8 is no assignment.
                 match word.to_str().and_then(|word| word.split_once('=')) {
                     Some((name, value)) if !is_file(Path::new(word)) => {

@@ -9,7 +9,8 @@ use clap::{Arg, Command};
 use clap_complete::Shell;
 use clap_mangen::Man;
 use osim_library::report_page::Words;
-use osim_library::{Disk, WriteMode, write_files};
+use osim_library::{Disk, LibraryFault, WriteMode, write_files};
+use osim_model::messages::Input;
 use osim_model::{Property, YesQuestion};
 use osim_view::report::explain::Topic;
 
@@ -224,6 +225,9 @@ fn write(pages: &[Man], folder: &Path, mode: WriteMode, words: Words) -> Result<
     std::fs::create_dir_all(folder).map_err(|error| anyhow!(error)).context(folder.display().to_string())?;
     let file = |page: &Man| Ok((folder.join(page.get_filename()), page_bytes(page)?));
     let files: Vec<(PathBuf, Vec<u8>)> = pages.iter().map(file).collect::<Result<_>>()?;
+    if let Some((there, _)) = files.iter().find(|(path, _)| mode == WriteMode::New && path.exists()) {
+        return Err(anyhow!(LibraryFault::file_exists(there, Input::OutputDir).spelled(words)));
+    }
     write_files(files.iter().map(|(path, bytes)| (path.as_path(), bytes.as_slice())), mode)
         .map_err(|fault| anyhow!(fault.spelled(words)))
 }

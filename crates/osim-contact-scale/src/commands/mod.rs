@@ -106,6 +106,9 @@ fn read_request(file: &Path, words: Language, session: &mut Session) -> Result<R
         Language::Matlab => &Matlab,
     };
     session.terminal.never_break_lines();
+    if file.to_str().is_some_and(|text| text.starts_with('{')) {
+        bail!("this is a request itself: put it into a file, or give it on standard input (-)");
+    }
     let is_stdin = file == Path::new(NAME_OF_STDIN);
     let shown = if is_stdin { "standard input".into() } else { file.to_string_lossy().into_owned() };
     let bytes = Disk.read(file).with_context(|| shown.clone())?;

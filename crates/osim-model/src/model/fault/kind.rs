@@ -133,7 +133,10 @@ impl FaultKind {
             Self::Suspicion(doubt) => doubt.phrase(),
             Self::Syntax(fault @ SyntaxFault::Motion) => phrase![
                 fault.to_string(),
-                Verb::Check.call_with_model().with_placeholder(Input::Motion, "FILE"),
+                Verb::Check
+                    .call_with_model()
+                    .with_placeholder(Input::Motion, "FILE")
+                    .with_placeholder(Input::Plates, "FORCES"),
             ],
             Self::BadInput { input, value, expected } => {
                 phrase![*input, format!(" is {value}, expected {expected}")]

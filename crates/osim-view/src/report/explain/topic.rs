@@ -91,7 +91,7 @@ fn topics_called(name: &str) -> Vec<Topic> {
 
 /// If a given name has at least this many letters, longer names that contain it are proposed. A shorter name is contained in too many
 /// names.
-const LEAST_LETTERS_OF_PART: usize = 5;
+const LEAST_LETTERS_OF_PART: usize = 4;
 
 /// The largest number of names that are proposed because they contain the given name.
 const MOST_PROPOSED_NAMES: usize = 2;
@@ -273,6 +273,7 @@ mod tests {
             unknown.message(&CommandLine),
             "nothing called 'sunk-inn' can be explained: did you mean 'sunk-in'? (`osim-contact-scale explain` lists all that can)"
         );
+        assert_eq!(Topic::find("sunk").unwrap_err().similar_names, ["sunk-in"]);
         assert_eq!(
             Topic::find("smoothing").unwrap_err().similar_names,
             ["hertz_smoothing", "hunt_crossley_smoothing"]
