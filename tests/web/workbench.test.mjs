@@ -27,6 +27,32 @@ inChromium("mass, verdicts, feet and buttons are on one screen", ONE_SCREEN, asy
   }
 });
 
+for (const width of [992, 1199]) {
+  inChromium(`at ${width} pixels the three steps and the form stay in sight`, { width, height: 720 }, async (user) => {
+    await user.open(HUMAN);
+    await user.field("Target mass (kg)").fill("80");
+    await user.done("human.scaled.osim");
+    await user.page.evaluate(() => document.getElementById("result").scrollIntoView());
+    for (const id of ["model-title", "proposal-title", "outcome-title", "change-title", "download"]) {
+      const { y, height } = await user.page.locator(`#${id}`).boundingBox();
+      assert.ok(y >= 0 && y + height <= 720, `${id}: ${y}`);
+    }
+  });
+}
+
+inChromium("on a telephone buttons that stay in sight lead to each step", { width: 390, height: 844 }, async (user) => {
+  await user.open(HUMAN);
+  await user.settled();
+  for (const [name, id] of [["1 File", "model"], ["2 Original", "proposal"], ["3 Result", "outcome"]]) {
+    await user.page.evaluate(() => document.getElementById("details").scrollIntoView());
+    const bar = await user.button(name, user.acts).boundingBox();
+    assert.ok(bar.y >= 0 && bar.y + bar.height <= 844, `${name}: ${bar.y}`);
+    await user.button(name, user.acts).click();
+    const { y, height } = await user.page.locator(`#${id}-title`).boundingBox();
+    assert.ok(y >= 0 && y + height < bar.y, `${id}: ${y}`);
+  }
+});
+
 inChromium("job: another mass, two actions to the download", async (user) => {
   await user.open(HUMAN);
   await user.button("horse, 545 kg", user.form).click();

@@ -3,13 +3,16 @@
 import { redo, undo } from "../actions/apply";
 import { downloadModel, downloadReport, downloadResult } from "../actions/download";
 import { keepResult } from "../actions/keep";
-import { button, byId, setText } from "../dom/element";
+import { button, byId, el, setText } from "../dom/element";
 import type { Failure, Request } from "../engine/types";
 import { QUESTIONS } from "../forms/all";
 import { answersFor } from "../state/answers";
 import { currentFile } from "../state/model";
 import type { Session } from "../state/session";
 import { shareDialog } from "./share";
+
+/** The three steps. On a narrow screen they scroll away, and these buttons stay. */
+const STEPS = [["model", "1 File"], ["proposal", "2 Original"], ["outcome", "3 Result"]] as const;
 
 /** Fills the bar of buttons for the open model: download, keep, undo, redo, report, share. */
 export function actionBar(session: Session): void {
@@ -41,7 +44,8 @@ export function actionBar(session: Session): void {
     const request = subjectRequest();
     if (request) share(request);
   }, { id: "share", "aria-haspopup": "dialog" });
-  bar.append(save, keep, back, forward, report, shareButton);
+  const toSteps = STEPS.map(([id, text]) => button(text, () => byId(id).scrollIntoView(), { class: "small" }));
+  bar.append(el("div", { class: "to-steps", role: "group", "aria-label": "Steps of the work" }, ...toSteps), save, keep, back, forward, report, shareButton);
   const update = () => {
     const [model, change] = [session.model(), finishedPreview()];
     bar.hidden = !model;
