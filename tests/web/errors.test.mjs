@@ -54,6 +54,29 @@ inChromium("a broken file of the same name does not take the place of the model"
   await downloadsWhatTheCommandMakes(user, [HUMAN], "human.scaled.osim");
 });
 
+inChromium("a change that could not be kept is said until the next success", async (user) => {
+  const taken = user.page.getByRole("alert").filter({ hasText: "human.scaled.scaled.osim is open already" });
+  const keepTwice = async () => {
+    await user.button("Keep and continue", user.acts).click();
+    await taken.waitFor();
+  };
+  await user.open(HUMAN, { ...HUMAN, name: "human.scaled.scaled.osim" });
+  await user.button("human.osim").click();
+  await user.field("Target mass (kg)").fill("80");
+  await user.done("human.scaled.osim");
+  await user.keep("human.scaled.osim");
+  await user.field("Target mass (kg)").fill("90");
+  await user.done("human.scaled.scaled.osim");
+  await keepTwice();
+  await user.downloads(user.button("Download human.scaled.scaled.osim", user.acts));
+  await taken.waitFor({ state: "hidden" });
+  await keepTwice();
+  await user.button("Undo", user.acts).click();
+  await user.done("human.scaled.osim");
+  await taken.waitFor({ state: "hidden" });
+  assert.equal(await user.page.getByRole("alert").filter({ visible: true }).count(), 0);
+});
+
 inChromium("a text that is not a model, and bytes that are not a text, are refused by name", async (user) => {
   await user.drop({ name: "noise.osim", bytes: Uint8Array.from({ length: 4000 }, (_, index) => (index * 7919) % 256) });
   await user.region("noise.osim").getByRole("alert").waitFor();
