@@ -1,4 +1,5 @@
-// The commonest jobs, by mouse and by keys: how many actions each takes, from the empty page to what is wanted.
+// The commonest jobs, by mouse and by keys: how many actions each takes, from the empty page to what is wanted, and how many of them
+// are wrong turns, after which the page shows an error.
 
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
@@ -91,8 +92,10 @@ for (const [name, { most, act }] of Object.entries(JOBS)) {
     inChromium(`${name}, by ${Kind}: ${most} actions`, { ...(Kind === "mouse" ? { width: 1280, height: 720 } : {}), limit: 60_000 }, async (user, test) => {
       const hand = Kind === "mouse" ? new Mouse(user) : new Keys(user);
       await act(hand);
-      test.diagnostic(`${name}, by ${Kind}: ${hand.count} actions${hand.tabs === undefined ? "" : `, ${hand.tabs} times Tab`}`);
+      const keys = hand.tabs === undefined ? "" : `, ${hand.tabs} times Tab`;
+      test.diagnostic(`${name}, by ${Kind}: ${hand.count} actions, ${hand.wrong} wrong turns${keys}`);
       assert.ok(hand.count <= most, `${hand.count} actions`);
+      assert.equal(hand.wrong, 0, "wrong turns");
       assert.equal(await user.page.getByRole("alert").filter({ visible: true }).count(), 0, "no error is shown");
     });
   }
@@ -100,12 +103,19 @@ for (const [name, { most, act }] of Object.entries(JOBS)) {
 
 class Mouse {
   constructor(user) {
-    Object.assign(this, { user, count: 0 });
+    Object.assign(this, { user, count: 0, wrong: 0 });
   }
 
   async press(name) {
-    this.count += 1;
     await this.user.button(name).click();
+    await this.countAction();
+  }
+
+  /** Counts an action, and whether it was a wrong turn. */
+  async countAction() {
+    this.count += 1;
+    await this.user.settled();
+    if ((await this.user.page.getByRole("alert").filter({ visible: true }).count()) > 0) this.wrong += 1;
   }
 
   /** Opens files by a button: one action with what follows in the window of the browser. */
@@ -116,8 +126,8 @@ class Mouse {
   }
 
   async type(label, text) {
-    this.count += 1;
     await this.user.field(label).fill(text);
+    await this.countAction();
   }
 
   async download(name) {
@@ -132,17 +142,17 @@ class Keys extends Mouse {
   tabs = 0;
 
   async press(name) {
-    this.count += 1;
     await this.user.button(name).waitFor();
     await this.#reach(name);
     await this.user.page.keyboard.press("Enter");
+    await this.countAction();
   }
 
   async type(label, text) {
-    this.count += 1;
     await this.user.field(label).waitFor();
     await this.#reach(label);
     await this.user.page.keyboard.type(text);
+    await this.countAction();
   }
 
   /** Presses Tab until the control with this name has the focus. */

@@ -53,6 +53,16 @@ inChromium("on a telephone buttons that stay in sight lead to each step", { widt
   }
 });
 
+inChromium("the only model can be closed, also while its change is computed", async (user) => {
+  await user.open(HUMAN);
+  await user.field("Target mass (kg)").fill("80");
+  await user.button("Close human.osim").click();
+  await user.region("Drop a model here, or click").waitFor();
+  await user.settled();
+  assert.equal(await user.acts.isVisible(), false);
+  assert.equal(await user.page.getByRole("alert").filter({ visible: true }).count(), 0);
+});
+
 inChromium("job: another mass, two actions to the download", async (user) => {
   await user.open(HUMAN);
   await user.button("horse, 545 kg", user.form).click();
