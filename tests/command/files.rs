@@ -168,6 +168,8 @@ fn a_folder_keeps_its_structure_and_earlier_outputs_are_skipped() {
     dir.run("lib --target-mass 492 -d lib/out").succeeded();
     dir.run("lib --target-mass 492 -d lib/out --force").succeeded();
     assert!(!dir.has("lib/out/out"));
+    let own = dir.run("lib --target-mass 492 -d lib").failed().wrote_nothing();
+    own.says(&["would be written over its models: name another folder with -d DIR"]);
     // Beside the models, run twice: no copies of copies.
     let dir = folder_of_models();
     dir.run("lib --target-mass 492").succeeded();

@@ -239,6 +239,13 @@ fn with_models(request: Request) -> Result<Request, RequestFault> {
 
 // A usage error in one line.
 
+/// Options of other programs, with those of this one.
+const OPTIONS_OF_OTHER_PROGRAMS: [(&[&str], &str); 3] = [
+    (&["--overwrite", "--replace"], "--force"),
+    (&["--json"], "--format json"),
+    (&["--generic", "--reference"], "--from"),
+];
+
 /// A usage error in one line: what is wrong and what was expected.
 pub(crate) fn usage_line(error: &clap::Error) -> String {
     let context = |kind| match error.get(kind) {
@@ -270,6 +277,11 @@ pub(crate) fn usage_line(error: &clap::Error) -> String {
         return format!("{option}'{}': did you mean '{near}'?", shown(&value));
     }
     let option = context(ContextKind::InvalidArg).filter(|_| error.kind() == ErrorKind::UnknownArgument);
+    let mut known = OPTIONS_OF_OTHER_PROGRAMS.iter();
+    let typed = option.as_deref().unwrap_or_default();
+    if let Some((_, meant)) = known.find(|(others, _)| others.contains(&typed)) {
+        return format!("unexpected argument '{typed}' found: did you mean {meant}?");
+    }
     let verbs = option.and_then(|option| Some(verbs_with_option(option.strip_prefix("--")?)));
     let text = error.render().to_string();
     let mut lines = text.lines().map(str::trim_ascii).filter(|line| !line.is_empty());

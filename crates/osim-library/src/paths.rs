@@ -76,10 +76,14 @@ pub fn require_folder_of<'p>(
 
 /// Makes the folder of `path` and the folders above it.
 pub fn make_folder_of(path: &Path) -> Result<(), LibraryFault> {
+    let shown = folder_of(path).display();
     if folder_of(path).is_dir() {
         return Ok(());
     }
-    let cannot = || format!("cannot make the folder {}", folder_of(path).display());
+    if folder_of(path).is_file() {
+        return Err(LibraryFault::new(format!("{shown} is a file, expected a folder: choose another name")));
+    }
+    let cannot = || format!("cannot make the folder {shown}");
     match resolved(path).parent() {
         Some(folder) => std::fs::create_dir_all(folder).context(cannot),
         None => Ok(()),

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use osim_model::files::Failure;
+use osim_model::messages::{Input, phrase};
 use osim_requests::options::OutputOptions;
 use walkdir::{DirEntry, WalkDir};
 
@@ -88,6 +89,12 @@ impl Sources {
     /// Adds the models in a folder and below it, in the order of their names.
     fn search_folder(&mut self, folder: &Path, skip: Option<&Path>, seen: &mut SeenModels) {
         let skip = skip.and_then(|path| path.canonicalize().ok());
+        if skip.is_some() && folder.canonicalize().ok() == skip {
+            let other = Input::OutputDir.with_placeholder("DIR");
+            let why = phrase!["results would be written over its models: name another folder with ", other];
+            self.failures.push(Failure::outside(folder, "no-models", why));
+            return;
+        }
         let is_skipped = |path: &Path| skip.is_some() && path.canonicalize().ok() == skip;
         let (mut own_outputs, mut repeated, mut sweeps) = (0, 0, 0);
         let mut has_models = false;
