@@ -185,15 +185,21 @@ fn a_wrong_original_model_causes_an_error_with_the_reason() {
     let dir = TestDir::with(&SCALED_MODELS);
     let noted = [("drawn_feet/six_spheres.osim", "noted.osim"), ("drawn_feet/left_behind.osim", "left.osim")];
     noted.iter().for_each(|(from, to)| dir.write(to, crate::support::fixture(from)));
+    dir.write("copy.osim", dir.text("misplaced.osim"));
     for (call, expected) in [
         ("check generic.osim --from scaled.osim", "the two are swapped"),
         // A note in both, which says by itself that spheres of the scaled model were left behind.
         ("check noted.osim --from left.osim", "the two are swapped"),
         ("check scaled.osim --from known.osim", "spheres-not-compared"),
-        ("check misplaced.osim --from misplaced.osim", "has a fault of its own"),
+        ("check misplaced.osim --from copy.osim", "has a fault of its own"),
     ] {
         let run = dir.run(call).failed();
         let text = run.out().split_whitespace().collect::<Vec<_>>().join(" ");
         assert!(text.contains(expected) && text.contains("1 error"), "{call}: {text}");
     }
+    let itself = dir.run("check scaled.osim --from scaled.osim").usage_error();
+    itself.says(&["scaled.osim is the model itself", "--from"]);
+    // The spheres of another body.
+    let other = dir.run("transfer scaled.osim --from known.osim --follow-bodies").failed().wrote_nothing();
+    other.says(&["was it scaled from another one?"]);
 }

@@ -89,6 +89,8 @@ fn fix_does_what_check_prints_and_ends_with_the_status_of_the_result() {
     // Several steps, one after the other.
     dir.run("check broken.osim --fix -o whole.osim").succeeded().wrote(&["whole.osim"]);
     assert!(dir.run("check whole.osim --deny warning").succeeded().out().contains("whole.osim: "));
+    // A model that is named itself is without contacts, too.
+    dir.run("check bones.osim good.osim").says(&["1 without contacts: bones.osim"]);
     // A folder: the command that `check` prints for it.
     let folder = dir.run("check subjects --from generic.osim").failed().out();
     assert_eq!(folder.lines().filter(|line| line.starts_with("$ ")).count(), 1, "{folder}");

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
-use anyhow::Result;
+use anyhow::{Result, bail};
 use osim_library::{Disk, Sources, Survey, SurveyedModel};
 use osim_model::Severity;
 use osim_model::messages::{Call, Input, Verb};
@@ -51,6 +51,12 @@ pub(crate) fn inspect(request: &InspectRequest, hint: bool, session: &mut Sessio
 /// # Errors
 /// Wrong usage.
 pub(crate) fn check(request: &CheckRequest, session: &mut Session) -> Result<Exit> {
+    if let ([model], Some(from)) = (request.models.as_slice(), &request.from)
+        && model == from
+    {
+        let from = session.words.input(Input::From, None);
+        bail!("{} is the model itself: name the one that it was scaled from with {from}", model.display());
+    }
     let inspector = Inspector::for_check(request, &Disk);
     let survey = Survey {
         verb: Verb::Check,

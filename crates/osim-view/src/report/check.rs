@@ -309,6 +309,9 @@ impl LibraryTable {
                 kind.worst = (size, text.to_owned(), found.model.clone());
             }
         }
+        if found.findings.iter().any(|finding| finding.code() == FindingCode::BareModel) {
+            self.add_without_contacts(&found.model);
+        }
         self.counts.push(found.counts);
         if !found.steps.is_empty() {
             self.corrected += usize::from(found.corrected == found.counts.error + found.counts.warning);

@@ -134,7 +134,7 @@ impl Follow {
             return Ok(());
         }
         Err(Fault::refused(format!(
-            "these spheres of the reference are not in the scaled model: {}",
+            "these spheres of the reference are not in the scaled model: {}: was it scaled from another one?",
             missing.join(", ")
         )))
     }

@@ -230,8 +230,7 @@ impl MissingFact {
             }
             Self::Factors(factors) => factors.phrase(),
             Self::MovedSpheres { model, spheres } => phrase![
-                "spheres of {model} were moved or resized already, by another tool or by hand: {}: keep them with \
-                {}, or place them again with {}";
+                "spheres of {model} were moved or resized already: {}: keep them with {}, or place them again with {}";
                 spheres.join(", "), Input::MovedSpheres.with_value("keep"),
                 Input::MovedSpheres.with_value("replace")
             ],
