@@ -128,6 +128,8 @@ fn a_table_that_is_not_a_manifest_is_refused_with_a_correction() {
     }
     dir.run("batch nowhere.csv").usage_error().says(&["nowhere.csv: there is no such file"]);
     dir.run("batch m.csv -o x.osim").usage_error().says(&["column 'output'"]);
+    std::fs::create_dir(dir.path("lib")).unwrap();
+    dir.run("batch lib").usage_error().says(&["'lib' is a folder, expected a table", "--target-mass alone"]);
 }
 
 #[test]

@@ -418,6 +418,10 @@ const MOST_REPORTED_ROWS: usize = 20;
 pub(crate) fn run_batch(request: &BatchRequest, session: &mut Session) -> Result<Exit> {
     let Some(manifest) = &request.manifest else { bail!("no manifest given") };
     let shown = manifest.display().to_string();
+    if manifest.is_dir() {
+        let target = session.words.input(Input::TargetMass, None);
+        bail!("'{shown}' is a folder, expected a table (.csv or .xlsx); a folder goes with {target} alone");
+    }
     let reader = RowReader::new(request).map_err(|fault| session.file_error(&fault))?;
     let bytes = Disk.read(manifest).with_context(|| shown.clone())?;
     let from_stdin = manifest.as_os_str() == "-";
