@@ -122,6 +122,7 @@ fn a_verb_after_its_model_and_an_option_of_another_verb_get_a_suggestion() {
     for (call, message) in [
         ("human.osim check", "'check' is not a file: did you mean 'check human.osim'?"),
         ("human.osim stiffness=1e6", "did you mean 'set human.osim stiffness=1e6'?"),
+        ("rescale help", "'help' is no file; as a verb it would be the first word"),
         ("set human.osim stiffness 1e6", "a property and its value are one word: write stiffness=1e6"),
         ("plot human.osim -o f.svg", "name one before the model, as in 'plot force human.osim'"),
         ("motion human.osim walk.mot plates.sto", "did you mean --plates plates.sto?"),

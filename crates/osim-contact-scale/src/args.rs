@@ -418,7 +418,10 @@ fn call_with_verb(word: &str, words: &[PathBuf], terms: Words) -> Option<String>
     let verb = if is_value { Verb::Set.name() } else { verb_names().find(|name| *name == word)? };
     let rest = words.iter().filter(|other| is_value || other.as_os_str() != word);
     let rest: String = rest.map(|word| format!(" {}", terms.word(&word.display().to_string()))).collect();
-    Some(format!("'{word}' is not a file: did you mean '{verb}{rest}'?"))
+    Some(match rest.as_str() {
+        "" => format!("'{word}' is no file; as a verb it would be the first word"),
+        rest => format!("'{word}' is not a file: did you mean '{verb}{rest}'?"),
+    })
 }
 
 /// The message that `plot fig1` cannot be drawn, even if other arguments are missing, too; or that a figure is missing before a model.
