@@ -37,6 +37,10 @@ for (const width of [992, 1199]) {
       const { y, height } = await user.page.locator(`#${id}`).boundingBox();
       assert.ok(y >= 0 && y + height <= 720, `${id}: ${y}`);
     }
+    const form = await user.form.boundingBox();
+    const after = await user.result.getByRole("columnheader", { name: "after" }).first().boundingBox();
+    assert.ok(after.x + after.width <= form.x, "the new numbers are in sight");
+    assert.deepEqual(await user.page.evaluate(smallTexts), []);
   });
 }
 
