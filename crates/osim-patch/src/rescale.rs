@@ -2,7 +2,7 @@
 
 use contact_scaling::{RatioValues, Ratios};
 use osim_model::compare::ScaleFile;
-use osim_model::messages::{Input, readable};
+use osim_model::messages::{Input, four_significant, readable};
 use osim_model::{
     DissipationBy, Fault, GravityFor, LevelAxis, Mass, MissingFact, Model, Property, PropertySet, RadiusRule,
     Scope, Selected, is_at_target, positive_mass,
@@ -216,7 +216,7 @@ fn plan_with_note_and_remarks(
     let contacts_mass = wanted.contacts_mass.clone();
     let mut taken = contacts_mass.contacts_made_for();
     if !nothing {
-        let ratio = readable(target_mass_kg / contacts_mass.kg);
+        let ratio = four_significant(target_mass_kg / contacts_mass.kg);
         taken.push(format!("; scaled to {} kg (mass x{ratio})", readable(target_mass_kg)));
         taken.push(gravity.words);
     }
