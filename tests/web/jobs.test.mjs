@@ -85,11 +85,21 @@ const JOBS = {
       await hand.user.button("Stop").waitFor();
     },
   },
+  "a recording that is corrected": {
+    most: 3,
+    act: async (hand) => {
+      await hand.choose(OPEN, ...RECORDING);
+      await hand.press("Correct the motion");
+      await hand.user.page.locator(".correction .tag.good").waitFor({ timeout: 60_000 });
+      const { name } = await hand.download("Download walk.corrected.sto");
+      assert.equal(name, "walk.corrected.sto");
+    },
+  },
 };
 
 for (const [name, { most, act }] of Object.entries(JOBS)) {
   for (const Kind of ["mouse", "keys"]) {
-    inChromium(`${name}, by ${Kind}: ${most} actions`, { ...(Kind === "mouse" ? { width: 1280, height: 720 } : {}), limit: 60_000 }, async (user, test) => {
+    inChromium(`${name}, by ${Kind}: ${most} actions`, { ...(Kind === "mouse" ? { width: 1280, height: 720 } : {}), limit: 120_000 }, async (user, test) => {
       const hand = Kind === "mouse" ? new Mouse(user) : new Keys(user);
       await act(hand);
       const keys = hand.tabs === undefined ? "" : `, ${hand.tabs} times Tab`;
