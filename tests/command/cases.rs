@@ -362,7 +362,9 @@ fn files_that_are_not_models_are_named_by_what_they_are() {
     dir.write("m.zip", b"PK\x03\x04\0\0");
     dir.run("inspect m.zip").failed().says(&["this is a ZIP archive"]);
     for name in ["walk.mot", "plates.sto"] {
-        dir.run(&format!("check {name}")).failed().says(&["this is a motion", "check MODEL --motion FILE --plates FORCES"]);
+        dir.run(&format!("check {name}"))
+            .failed()
+            .says(&["this is a motion", "check MODEL --motion FILE --plates FORCES"]);
     }
 }
 

@@ -240,6 +240,6 @@ fn man_prints_one_page_and_replaces_files_only_with_force() {
     dir.run("man xyzzy").usage_error().says(&["invalid value 'xyzzy'", "transfer"]);
     dir.run("man tranfer").usage_error().says(&["'tranfer': did you mean 'transfer'?"]);
     dir.run("man -d pages").succeeded();
-    dir.run("man -d pages").failed().wrote_nothing().says(&["another folder with -d", "--force"]);
+    dir.run("man -d pages").usage_error().wrote_nothing().says(&["another folder with -d", "--force"]);
     dir.run("man -d pages --force").succeeded();
 }

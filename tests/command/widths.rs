@@ -100,7 +100,11 @@ fn fix_does_what_check_prints_and_ends_with_the_status_of_the_result() {
     fixed.says(&[&format!("{count} of {count} models corrected and written into results")]);
     let refused = dir.run(fix).usage_error().wrote_nothing();
     assert_eq!(refused.err().lines().count(), 1, "{}", refused.err());
-    refused.says(&[&format!("{count} of {count} results exist already"), "(--force)", "another folder with -d"]);
+    refused.says(&[
+        &format!("{count} of {count} results exist already"),
+        "(--force)",
+        "another folder with -d",
+    ]);
     assert_eq!(dir.text("results/subject02.osim"), dir.text("fixed.osim"));
 }
 
@@ -111,7 +115,9 @@ fn fix_without_a_command_or_with_a_wrong_call_writes_nothing() {
     dir.run("check good.osim -o new.osim").usage_error().says(&["-o needs --fix"]);
     let several = dir.run("check good.osim broken.osim --fix -o new.osim").usage_error().wrote_nothing();
     several.says(&["-o names one file", "name a folder with -d DIR"]);
-    dir.run("check good.osim human.osim --fix -d new").succeeded().says(&["0 of 2 models corrected and written"]);
+    dir.run("check good.osim human.osim --fix -d new")
+        .succeeded()
+        .says(&["0 of 2 models corrected and written"]);
     let text = dir.text("scaled.osim");
     dir.run("check scaled.osim --from generic.osim --fix --in-place").succeeded();
     assert!(dir.text("scaled.osim") != text && dir.text("scaled.osim.bak") == text);

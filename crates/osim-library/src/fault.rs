@@ -52,7 +52,7 @@ impl LibraryFault {
     /// The fault that several results exist already: `which` and how many, with the `first` of them. `resume` goes on with them, if the
     /// verb can.
     pub(crate) fn results_exist(which: impl Display, first: &Path, resume: Option<&Phrase>) -> Self {
-        let resume = resume.map(|resume| phrase!["continue the earlier run ({}), "; resume]).unwrap_or_default();
+        let resume = resume.map(|way| phrase!["continue the earlier run ({}), "; way]).unwrap_or_default();
         Self::new(phrase![
             "{which} exist already, such as {}: {}replace them ({}), or choose another folder with {}";
             first.display().to_string(), &resume, Input::Force, Input::OutputDir.with_placeholder("DIR")
@@ -64,16 +64,6 @@ impl LibraryFault {
         Self::new(phrase![
             "{} is not what an earlier run wrote, so it stays: move it away, or replace it with {}";
             output.display().to_string(), Input::Force
-        ])
-    }
-
-    /// The fault that a resumed run would change a model in place which an earlier run changed with other options. A factor would then
-    /// be applied twice.
-    pub(crate) fn model_changed_before() -> Self {
-        Self::new(phrase![
-            "an earlier run changed this model by other options, and this change would come on top of that: bring back \
-             what it was before, or change it once more with ",
-            Input::Force,
         ])
     }
 

@@ -79,7 +79,9 @@ impl ReportPage {
         let model = is_for_one_model.then(shown);
         let head = PageHead { verb: request.verb, model, columns: Columns::Changes, call };
         // A resumed run writes its page again, as it does its summary.
-        let may_replace = request.force || run.is_resumed() && is_report_page(path);
+        let is_report = |head: Vec<u8>| memchr::memmem::find(&head, GENERATOR.as_bytes()).is_some();
+        let is_own = || read_head(path, SEARCHED_HEAD_BYTES).is_ok_and(is_report);
+        let may_replace = request.force || run.is_resumed() && is_own();
         Self::begin(path, may_replace, head, &request.failures, words).map(Some)
     }
 
@@ -98,12 +100,6 @@ impl ReportPage {
             .map_err(|error| LibraryFault::new(reason(&error)).with_context("cannot write the report"))?;
         prepared.commit()
     }
-}
-
-/// Whether this program wrote the page at `path`.
-fn is_report_page(path: &Path) -> bool {
-    read_head(path, SEARCHED_HEAD_BYTES)
-        .is_ok_and(|head| memchr::memmem::find(&head, GENERATOR.as_bytes()).is_some())
 }
 
 /// Refuses a page whose name does not end like that of an HTML file.

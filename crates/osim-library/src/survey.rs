@@ -18,7 +18,9 @@ use crate::report_page::{ReportPage, Words};
 use crate::run::{ModelToFix, NOTHING_WRITTEN, PathConflicts, ResultDestination};
 use crate::source::MemoryFirst;
 use crate::workers::{thread_count, work_in_order};
-use crate::{Disk, LibraryFault, LoadedModel, ModelSource, OutputFolders, Sources, require_folder_of, sha256};
+use crate::{
+    Disk, LibraryFault, LoadedModel, ModelSource, OutputFolders, Sources, require_folder_of, sha256,
+};
 
 /// Models that one call inspects or checks, with the options of the call.
 pub struct Survey<'s> {
@@ -54,7 +56,8 @@ impl Survey<'_> {
     /// Begins the report page if the options name one, with entries of models that could not be listed. The page shows `call`.
     ///
     /// # Errors
-    /// The check would write several models to one file, or several results exist already. The name of the page has another ending than `.html`, its folder is not there, the file exists already, or this call reads it.
+    /// The check would write several models to one file, or several results exist already. The name of the page has another ending than
+    /// `.html`, its folder is not there, the file exists already, or this call reads it.
     pub fn begin_page(&self, call: String) -> Result<Option<ReportPage>, LibraryFault> {
         self.check.map_or(Ok(()), |call| self.refuse_outputs(call))?;
         let Some(path) = &self.report.report else { return Ok(None) };

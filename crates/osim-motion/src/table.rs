@@ -99,8 +99,7 @@ impl Table {
         }
         let is_xml = text.trim_ascii_start().starts_with('<');
         let xml = "this is XML, expected a .mot or .sto file of OpenSim: ExternalLoads go with `loads`";
-        let other =
-            "it has no line `endheader`: a motion is a .mot or .sto file of OpenSim, with a header that ends so";
+        let other = "it has no line `endheader`: a motion is a .mot or .sto file of OpenSim, with a header that ends so";
         Err(MotionFault::new(if is_xml { xml } else { other }))
     }
 

@@ -85,8 +85,10 @@ impl NamedSource {
         }
         let shown = word.display().to_string();
         let (names, model) = (all_preset_names(presets, files), word.with_extension("osim"));
-        let near = Some(&model).filter(|path| files.exists(path)).map(|path| path.display().to_string());
-        let hint = near.map_or_else(|| similar_preset(&shown, &names), |model| format!(": did you mean '{model}'?"));
+        let hint = match files.exists(&model) {
+            true => format!(": did you mean '{}'?", model.display()),
+            false => similar_preset(&shown, &names),
+        };
         let neither = format!(
             "'{shown}': there is no such file and no such preset, expected a model or one of: {}{hint}",
             names.join(", ")

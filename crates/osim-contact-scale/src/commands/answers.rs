@@ -124,16 +124,8 @@ pub(crate) fn reproduce(request: &ReproduceRequest, session: &mut Session) -> Re
     let mut written = String::new();
     if let Some(folder) = &request.output_dir {
         let files = output_files(folder, &record, json, session)?;
-        if let Some((there, _)) = files.iter().find(|(path, _)| !request.force && path.exists()) {
-            return Err(session.file_error(&LibraryFault::file_exists(there, Input::OutputDir)));
-        }
-        let mode = if request.force { WriteMode::Replace } else { WriteMode::New };
-        for (path, _) in &files {
-            make_folder_of(path).map_err(|fault| session.file_error(&fault))?;
-            written.push_str(&format!("written to {}\n", path.display()));
-        }
-        write_files(files.iter().map(|(path, text)| (path.as_path(), text.as_bytes())), mode)
-            .map_err(|fault| session.file_error(&fault))?;
+        write_into_folder(&files, request.force, session)?;
+        written.extend(files.iter().map(|(path, _)| format!("written to {}\n", path.display())));
     }
     if json {
         session.terminal.print_records(&line(&record))?;
@@ -146,6 +138,24 @@ pub(crate) fn reproduce(request: &ReproduceRequest, session: &mut Session) -> Re
         session.terminal.print(&text)?;
     }
     Ok(Exit::Done)
+}
+
+/// Writes files into a folder, which is made where it is not there.
+///
+/// # Errors
+/// A file exists already, or the folder cannot be written.
+pub(crate) fn write_into_folder<B: AsRef<[u8]>>(
+    files: &[(PathBuf, B)],
+    force: bool,
+    session: &Session,
+) -> Result<()> {
+    if let Some((there, _)) = files.iter().find(|(path, _)| !force && path.exists()) {
+        return Err(session.file_error(&LibraryFault::file_exists(there, Input::OutputDir)));
+    }
+    let mode = if force { WriteMode::Replace } else { WriteMode::New };
+    let made = files.iter().try_for_each(|(path, _)| make_folder_of(path));
+    made.and_then(|()| write_files(files.iter().map(|(path, bytes)| (path.as_path(), bytes.as_ref())), mode))
+        .map_err(|fault| session.file_error(&fault))
 }
 
 /// Paths and texts of the files that a reproduction writes into `folder`: the table and both figures.

@@ -3,18 +3,17 @@
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
-use anyhow::{Context, Result, anyhow, bail};
+use anyhow::{Result, bail};
 use clap::builder::{PossibleValue, PossibleValuesParser};
 use clap::{Arg, Command};
 use clap_complete::Shell;
 use clap_mangen::Man;
-use osim_library::report_page::Words;
-use osim_library::{Disk, LibraryFault, WriteMode, write_files};
-use osim_model::messages::Input;
+use osim_library::Disk;
 use osim_model::{Property, YesQuestion};
 use osim_view::report::explain::Topic;
 
 use crate::args::{PROGRAM_NAME, whole_command};
+use crate::commands::answers::write_into_folder;
 use crate::exit::Exit;
 use crate::one_call::Session;
 
@@ -172,15 +171,11 @@ fn fish_completion(value: &PossibleValue) -> String {
 // `man`: the manual pages, one for the command and one for each verb.
 
 /// Writes all manual pages into a folder.
-pub(crate) fn manuals(folder: &Path, force: bool, session: &mut Session) -> Exit {
-    let mode = if force { WriteMode::Replace } else { WriteMode::New };
-    match write(&manual_pages(), folder, mode, session.words) {
-        Ok(()) => Exit::Done,
-        Err(error) => {
-            session.terminal.error_line(&format!("{error:#}"));
-            Exit::Failed
-        }
-    }
+pub(crate) fn manuals(folder: &Path, force: bool, session: &Session) -> Result<Exit> {
+    let file = |page: &Man| Ok((folder.join(page.get_filename()), page_bytes(page)?));
+    let files: Vec<(PathBuf, Vec<u8>)> = manual_pages().iter().map(file).collect::<Result<_>>()?;
+    write_into_folder(&files, force, session)?;
+    Ok(Exit::Done)
 }
 
 /// Prints the manual page of a verb, or of the command.
@@ -218,16 +213,4 @@ fn page_bytes(page: &Man) -> Result<Vec<u8>> {
     let mut bytes = Vec::new();
     page.render(&mut bytes)?;
     Ok(bytes)
-}
-
-/// Writes all manual pages. If a file exists and may not be replaced, writes none.
-fn write(pages: &[Man], folder: &Path, mode: WriteMode, words: Words) -> Result<()> {
-    std::fs::create_dir_all(folder).map_err(|error| anyhow!(error)).context(folder.display().to_string())?;
-    let file = |page: &Man| Ok((folder.join(page.get_filename()), page_bytes(page)?));
-    let files: Vec<(PathBuf, Vec<u8>)> = pages.iter().map(file).collect::<Result<_>>()?;
-    if let Some((there, _)) = files.iter().find(|(path, _)| mode == WriteMode::New && path.exists()) {
-        return Err(anyhow!(LibraryFault::file_exists(there, Input::OutputDir).spelled(words)));
-    }
-    write_files(files.iter().map(|(path, bytes)| (path.as_path(), bytes.as_slice())), mode)
-        .map_err(|fault| anyhow!(fault.spelled(words)))
 }

@@ -35,7 +35,7 @@ pub(crate) fn call(call: Call, session: &mut Session) -> Result<Exit> {
             completions::manual(verb.as_deref(), session)
         }
         Call::Own(OwnVerb::Man { output_dir: Some(folder), force, .. }) => {
-            Ok(completions::manuals(&folder, force, session))
+            completions::manuals(&folder, force, session)
         }
         // Answered by clap.
         Call::Own(OwnVerb::Help { .. } | OwnVerb::Version) => Ok(Exit::Done),

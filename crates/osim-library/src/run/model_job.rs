@@ -148,7 +148,12 @@ impl<F: RunFrontEnd> ModelJob<'_, F> {
                     }
                     PreviousOutcome::Outdated => force = true,
                     PreviousOutcome::ModelChanged if !force => {
-                        return Err(refused(LibraryFault::model_changed_before()));
+                        // A factor would be applied twice.
+                        return Err(refused(LibraryFault::new(phrase![
+                            "an earlier run changed this model by other options, and this change would come on top of \
+                             that: bring back what it was before, or change it once more with ",
+                            Input::Force,
+                        ])));
                     }
                     PreviousOutcome::OutputEdited(path) if !force && !self.context.run.dry_run => {
                         return Err(refused(LibraryFault::output_edited(&path)));

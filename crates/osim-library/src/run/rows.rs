@@ -199,18 +199,14 @@ impl WritableFolder {
         let geometry =
             task.geometry_output.as_deref().map(|path| (column(Input::GeometryOutput, is_named), path));
         output.into_iter().chain(geometry).try_for_each(|(column, path)| {
-            match resolved(path).starts_with(&self.real) {
-                true => Ok(()),
-                false => Err((column, self.message_outside(path, column == Input::Force))),
+            if resolved(path).starts_with(&self.real) {
+                return Ok(());
             }
+            let folder = if self.folder == Path::new("") { Path::new(".") } else { &self.folder };
+            let does = if column == Input::Force { "replace files" } else { "write" };
+            let place = format!("{} is outside the folder {}", shown_path(path), shown_path(folder));
+            let text = format!("{place}: if rows may {does} there, allow it with ");
+            Err((column, phrase![text, Input::AllowOutside]))
         })
-    }
-
-    /// The message that a row may not write outside of its folder.
-    fn message_outside(&self, path: &Path, replaces: bool) -> Phrase {
-        let folder = if self.folder == Path::new("") { Path::new(".") } else { &self.folder };
-        let does = if replaces { "replace files" } else { "write" };
-        let where_it_is = format!("{} is outside the folder {}", shown_path(path), shown_path(folder));
-        phrase![format!("{where_it_is}: if rows may {does} there, allow it with "), Input::AllowOutside]
     }
 }

@@ -79,7 +79,8 @@ impl<'p> SweepTables<'p> {
 
     /// Removes the tables of parts after the table of all variants was written, except tables that another program saved.
     fn remove_parts(&self) -> Result<(), LibraryFault> {
-        for part in self.replaced_tables().filter(|part| is_sweep_table(part)) {
+        let is_of_sweep = |part: &&Path| FileDigests::default().add(part, |_, _| Ok(())).is_ok();
+        for part in self.replaced_tables().filter(is_of_sweep) {
             let partial = PartialFile::path_for(part);
             for file in [part, &partial] {
                 if file.exists() {
@@ -225,11 +226,6 @@ impl FileDigests {
     pub(super) fn contains(&self, file: &str, sha256: &str) -> bool {
         self.0.contains(&digest_of_file(file, sha256))
     }
-}
-
-/// Whether `table` and its partial table, if they exist, are tables of a sweep.
-fn is_sweep_table(table: &Path) -> bool {
-    FileDigests::default().add(table, |_, _| Ok(())).is_ok()
 }
 
 /// A digest of a file's name and the digest of its bytes.

@@ -110,7 +110,11 @@ impl PendingFile {
             && !keep_owner(&temporary, existing).context(cannot)?
             && mode == WriteMode::InPlace
         {
-            return Err(fault_of_other_owner(&shown));
+            return Err(LibraryFault::new(phrase![
+                "{} belongs to another user or group, and the changed file would belong to you: let its owner change \
+                it, or write to another name with {}";
+                shown.display().to_string(), Input::Output
+            ]));
         }
         #[cfg(target_os = "linux")]
         if existing.is_some() {
@@ -208,15 +212,6 @@ fn write_all(file: &mut File, slices: &mut [IoSlice<'_>]) -> std::io::Result<()>
         }
     }
     Ok(())
-}
-
-/// The fault of a file whose owner cannot be kept.
-fn fault_of_other_owner(shown: &Path) -> LibraryFault {
-    LibraryFault::new(phrase![
-        "{} belongs to another user or group, and the changed file would belong to you: let its owner change it, or \
-        write to another name with {}";
-        shown.display().to_string(), Input::Output
-    ])
 }
 
 /// Gives a new file the owner and group of the replaced file. Returns whether the system allowed it.

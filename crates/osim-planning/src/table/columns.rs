@@ -104,7 +104,8 @@ impl Columns {
             return Err(message);
         }
         let Some(model) = columns.iter().find(|column| column.kind == CellKind::Model) else {
-            let has = quoted_cells(header);
+            let cells: Vec<String> = header.iter().map(|cell| format!("'{cell}'")).collect();
+            let has = if cells.is_empty() { "nothing".to_owned() } else { cells.join(", ") };
             let what = "call the column with the names of the files 'model' or 'file'";
             return Err(format!("no column 'model' in the first row, which has {has}: {what}").into());
         };
@@ -133,11 +134,6 @@ impl Columns {
             self.columns.iter().find(|column| column.field == field && column.kind != CellKind::Model)?;
         Some(&column.header)
     }
-}
-
-fn quoted_cells(header: &[String]) -> String {
-    let cells: Vec<String> = header.iter().map(|cell| format!("'{cell}'")).collect();
-    if cells.is_empty() { "nothing".to_owned() } else { cells.join(", ") }
 }
 
 /// The header as the name of a field: `target_mass` for `--Target-Mass`.
@@ -211,7 +207,7 @@ fn column(
 /// Refuses a header such as `Target mass (lb)`, with another unit than that of the option `field`.
 fn refuse_other_unit(cell: &str, field: &str) -> Result<(), Phrase> {
     let Some((_, unit)) = cell.split_once(['(', '[']) else { return Ok(()) };
-    let unit = unit.trim_end_matches([')', ']', ' ']).trim();
+    let unit = unit.trim_end_matches([')', ']', ' ']).trim_ascii();
     let is_mass = option_named(Verb::Rescale, field).is_some_and(|option| option.value_name == "KG");
     let is_in = |units: &[&str]| units.iter().any(|one| unit.eq_ignore_ascii_case(one));
     let expected = if is_mass { "kg" } else { "m" };

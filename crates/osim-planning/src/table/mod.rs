@@ -332,9 +332,10 @@ fn verb_of_row(row: &Row, columns: &Columns) -> Result<Verb, RowFault> {
     }
     let shown = VERBS_OF_COLUMNS.into_iter().find(|(field, _)| filled(field).is_some());
     let message = || {
-        let is_mass = |name: &String| ["mass", "weight"].iter().any(|word| name.to_lowercase().contains(word));
+        let is_mass = |name: &String| ["mass", "weight"].iter().any(|one| name.to_lowercase().contains(one));
         let mass = columns.unmarked_user_columns().into_iter().find(is_mass);
-        let hint = mass.map(|name| format!("; is '{name}' that mass? Call it target-mass")).unwrap_or_default();
+        let hint =
+            mass.map(|name| format!("; is '{name}' that mass? Call it target-mass")).unwrap_or_default();
         format!("what to do is missing: fill in a target mass (rescale), from (transfer), set, or verb{hint}")
     };
     shown.map(|(_, verb)| verb).ok_or_else(|| RowFault::general(message()))
