@@ -59,6 +59,17 @@ impl LibraryFault {
         ])
     }
 
+    /// Refuses several `existing` results of a run with `all` results. `resume` goes on with them, if the verb can.
+    pub(crate) fn refuse_existing(
+        existing: &[impl AsRef<Path>],
+        all: usize,
+        resume: Option<&Phrase>,
+    ) -> Result<(), Self> {
+        let [first, _, ..] = existing else { return Ok(()) };
+        let which = format!("{} of {all} results", existing.len());
+        Err(Self::results_exist(which, first.as_ref(), resume))
+    }
+
     /// The fault that a resumed run would replace an output which somebody edited after it was written.
     pub(crate) fn output_edited(output: &Path) -> Self {
         Self::new(phrase![

@@ -91,13 +91,7 @@ impl Survey<'_> {
             ResultDestination::File(path) if path.exists() => Some(path),
             _ => None,
         });
-        match existing.collect::<Vec<_>>().as_slice() {
-            all @ [first, _, ..] => {
-                let which = format!("{} of {} results", all.len(), models.len());
-                Err(LibraryFault::results_exist(which, first, None))
-            }
-            _ => Ok(()),
-        }
+        LibraryFault::refuse_existing(&existing.collect::<Vec<_>>(), models.len(), None)
     }
 
     /// Inspects or checks all models on `jobs` threads, until `is_stopped` returns true. Puts each model on the `page`, then calls `each`

@@ -24,7 +24,19 @@ pub(crate) fn run(request: &SweepRequest, session: &mut Session) -> Result<Exit>
     let json = request.format == Format::Json;
     let sweep = SweepRun::new(request).map_err(|error| session.refuse(error, json))?;
     sweep.plan.check_ends().map_err(|error| session.refuse(error, json))?;
-    print_number_of_variants(&sweep, request, session)?;
+    let (count, points) = (sweep.count(), sweep.plan.count());
+    let is_part = request.point.is_some() || request.shard.is_some();
+    let of = if is_part { format!(" of {points}") } else { String::new() };
+    let megabytes = sweep.plan.model().bytes().len() as f64 / 1e6;
+    let (all, folder) = (megabytes * count as f64, sweep.folder.display());
+    let text = format!("{count}{of} models of {megabytes:.2} MB each, {all:.1} MB together, into {folder}");
+    session.terminal.remark(&text)?;
+    if request.ladder.is_some() {
+        session.terminal.remark(
+            "steps are equal in k R n/F by the Hertz law (B.3); relative_indentation_model_law in the table is where the \
+             contacts rest by the law of their class",
+        )?;
+    }
     if request.dry_run {
         let text = match request.is_large() {
             true => format!(
@@ -38,16 +50,15 @@ pub(crate) fn run(request: &SweepRequest, session: &mut Session) -> Result<Exit>
     let end = make_variants(&sweep, request, session)?;
     if end.worse > 0 {
         let (worse, made) = (end.worse, end.made + end.earlier);
-        session.terminal.print_to_stderr(&format!(
-            "remark: {worse} of {made} models have errors or warnings that the original model does not have: see the column worse of the table\n"
+        session.terminal.remark(&format!(
+            "{worse} of {made} models have errors or warnings that the original model does not have: see the column worse of the table"
         ))?;
     }
     session.terminal.print_to_stderr(&remarks_of_sweep(&end, &sweep))?;
     if end.not_begun > 0 {
-        let (made, count) = (end.made + end.earlier, sweep.count());
-        let resume = session.words.input(Input::Resume, None);
-        session.terminal.print_to_stderr(&format!(
-            "remark: stopped: {made} of {count} models are made; to continue, repeat the command with {resume}\n"
+        let (made, resume) = (end.made + end.earlier, session.words.input(Input::Resume, None));
+        session.terminal.remark(&format!(
+            "stopped: {made} of {count} models are made; to continue, repeat the command with {resume}"
         ))?;
     }
     report(&sweep.record(Some(&end)), &text_after_sweep(&sweep, request, &end), request, session)?;
@@ -98,32 +109,6 @@ fn make_variants(sweep: &SweepRun<'_>, request: &SweepRequest, session: &mut Ses
     watch.end();
     let end = end.map_err(|fault| session.file_error(&fault))?;
     not_printed.map_or(Ok(end), Err)
-}
-
-/// Shows the number of variants and their size before the first variant is made.
-fn print_number_of_variants(
-    sweep: &SweepRun<'_>,
-    request: &SweepRequest,
-    session: &mut Session,
-) -> Result<()> {
-    let (size, count, points) = (sweep.plan.model().bytes().len(), sweep.count(), sweep.plan.count());
-    let is_part = request.point.is_some() || request.shard.is_some();
-    let of = if is_part { format!(" of {points}") } else { String::new() };
-    let megabytes = |bytes: usize| bytes as f64 / 1e6;
-    let text = format!(
-        "remark: {count}{of} models of {:.2} MB each, {:.1} MB together, into {}\n",
-        megabytes(size),
-        megabytes(size.saturating_mul(count)),
-        sweep.folder.display()
-    );
-    session.terminal.print_to_stderr(&text)?;
-    if request.ladder.is_some() {
-        session.terminal.print_to_stderr(
-            "remark: steps are equal in k R n/F by the Hertz law (B.3); relative_indentation_model_law in the table is where the \
-             contacts rest by the law of their class\n",
-        )?;
-    }
-    Ok(())
 }
 
 fn text_after_sweep(sweep: &SweepRun<'_>, request: &SweepRequest, end: &SweepEnd) -> String {

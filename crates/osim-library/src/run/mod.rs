@@ -103,15 +103,9 @@ impl<'r> Run<'r> {
         let mode = WriteMode::NewSince(self.context.start);
         let stays = |path: &&Path| path.metadata().is_ok_and(|existing| !mode.is_of_other_run(&existing));
         let existing: Vec<&Path> = results.filter_map(Task::output).filter(stays).collect();
-        match existing.as_slice() {
-            [first, _, ..] => {
-                let which = format!("{} of {} results", existing.len(), self.request.tasks.len());
-                let summary = Input::Summary.with_placeholder("FILE");
-                let resume = phrase![summary, " ", Input::Resume, " with the FILE that it kept"];
-                Err(LibraryFault::results_exist(which, first, Some(&resume)))
-            }
-            _ => Ok(()),
-        }
+        let summary = Input::Summary.with_placeholder("FILE");
+        let resume = phrase![summary, " ", Input::Resume, " with the FILE that it kept"];
+        LibraryFault::refuse_existing(&existing, self.request.tasks.len(), Some(&resume))
     }
 
     /// Lists every folder that the run writes into.
