@@ -122,7 +122,7 @@ fn a_verb_after_its_model_and_an_option_of_another_verb_get_a_suggestion() {
     for (call, message) in [
         ("human.osim check", "'check' is not a file: did you mean 'check human.osim'?"),
         ("human.osim stiffness=1e6", "did you mean 'set human.osim stiffness=1e6'?"),
-        ("rescale help", "'help' is no file; as a verb it would be the first word"),
+        ("rescale help", "'help' is not a file; as a verb it would be the first word"),
         ("set human.osim stiffness 1e6", "a property and its value are one word: write stiffness=1e6"),
         ("plot human.osim -o f.svg", "name one before the model, as in 'plot force human.osim'"),
         ("motion human.osim walk.mot plates.sto", "did you mean --plates plates.sto?"),
@@ -247,10 +247,15 @@ fn an_empty_file_is_reported_as_empty() {
 #[test]
 fn a_broken_generic_model_is_reported_once() {
     let dir = TestDir::with(&[HUMAN, (HUMAN.0, "other.osim"), ("bad/truncated.osim", "generic.osim")]);
-    let run = dir.run("inspect human.osim other.osim --from generic.osim").failed();
-    assert_eq!(run.err().matches("error: ").count(), 1, "{}", run.err());
-    // The fault is described once.
-    assert_eq!(run.err().matches("truncated").count(), 1, "{}", run.err());
+    for verb in ["inspect", "check"] {
+        let run = dir.run(&format!("{verb} human.osim other.osim --from generic.osim")).failed();
+        assert_eq!(run.err().matches("error: ").count(), 1, "{}", run.err());
+        // The fault is described once.
+        assert_eq!(run.err().matches("truncated").count(), 1, "{}", run.err());
+    }
+    // A recording that is named has to be there.
+    let run = dir.run("check human.osim --motion none.mot --plates none.sto").failed();
+    assert!(run.err().contains("error: none.mot: there is no such file"), "{}", run.err());
 }
 
 #[test]

@@ -419,7 +419,7 @@ fn call_with_verb(word: &str, words: &[PathBuf], terms: Words) -> Option<String>
     let rest = words.iter().filter(|other| is_value || other.as_os_str() != word);
     let rest: String = rest.map(|word| format!(" {}", terms.word(&word.display().to_string()))).collect();
     Some(match rest.as_str() {
-        "" => format!("'{word}' is no file; as a verb it would be the first word"),
+        "" => format!("'{word}' is not a file; as a verb it would be the first word"),
         rest => format!("'{word}' is not a file: did you mean '{verb}{rest}'?"),
     })
 }
@@ -435,7 +435,7 @@ pub(crate) fn suggested_figure(words: &[String], terms: Words) -> Option<String>
     }
     let is_model = !kind.starts_with('-') && Path::new(kind).extension().is_some();
     let call = |kind: &str| format!("plot force {}", terms.word(kind));
-    is_model.then(|| format!("'{kind}' is no figure: name one before the model, as in '{}'", call(kind)))
+    is_model.then(|| format!("'{kind}' is not a figure: name one before the model, as in '{}'", call(kind)))
 }
 
 /// The message that the plates of `motion` have no option before them.

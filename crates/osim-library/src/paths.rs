@@ -47,7 +47,7 @@ pub fn folder_of(path: &Path) -> &Path {
 }
 
 /// The file that a missing `path` may mean: its name has the ending of a model, too, or is nearly the same. Names of subjects, which
-/// differ in a number, are no near names.
+/// differ in a number, are not near.
 pub(crate) fn similar_file(path: &Path) -> Option<PathBuf> {
     let name = path.file_name()?.to_str()?;
     let number = |name: &str| name.chars().filter(char::is_ascii_digit).collect::<String>();

@@ -26,8 +26,12 @@ pub fn open_with(path: &Path, beside: CompanionPaths<'_>, files: &dyn Files) -> 
 
 /// Reads a file that the request names.
 pub(crate) fn read(path: &Path, files: &dyn Files) -> Result<Vec<u8>, Failure> {
-    let failed = |error: FileError| Failure::outside(path, "unreadable", error.to_string());
-    files.read(path).map_err(failed)
+    files.read(path).map_err(|error| {
+        let model = path.with_extension("osim");
+        let is_meant = error == FileError::not_found() && path.extension().is_none() && files.exists(&model);
+        let hint = is_meant.then(|| format!("there is no such file: did you mean {}?", model.display()));
+        Failure::outside(path, "unreadable", hint.unwrap_or_else(|| error.to_string()))
+    })
 }
 
 /// Reads the Scale Tool's applied factors.

@@ -6,6 +6,7 @@ use std::path::PathBuf;
 use anyhow::{Result, bail};
 use osim_library::{Disk, Sources, Survey, SurveyedModel};
 use osim_model::Severity;
+use osim_model::files::{Failure, FileError};
 use osim_model::messages::{Call, Input, Verb};
 use osim_planning::Inspector;
 use osim_requests::options::SheetFormat;
@@ -57,7 +58,17 @@ pub(crate) fn check(request: &CheckRequest, session: &mut Session) -> Result<Exi
         let from = session.words.input(Input::From, None);
         bail!("{} is the model itself: name the one that it was scaled from with {from}", model.display());
     }
+    let json = request.format == SheetFormat::Json;
+    let recording = [&request.motion, &request.plates, &request.loads].into_iter().flatten();
+    let mut missing = recording.filter(|path| path.as_os_str() != "-" && !path.exists());
+    if let Some(path) = missing.next() {
+        let failure = Failure::outside(path.as_path(), "unreadable", FileError::not_found().to_string());
+        return session.report_failure(&failure, json);
+    }
     let inspector = Inspector::for_check(request, &Disk);
+    if let Some(failure) = inspector.generic_failure() {
+        return session.report_failure(failure, json);
+    }
     let survey = Survey {
         verb: Verb::Check,
         sources: &Sources::find(&request.models, request.output_dir.as_deref()),
