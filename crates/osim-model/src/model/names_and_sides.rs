@@ -144,15 +144,18 @@ pub fn nearest_names<'n>(
     most_wrong: usize,
 ) -> Vec<&'n str> {
     let flat = |name: &str| name.to_lowercase().replace([' ', '-', '_'], "");
-    let written = flat(written);
+    let letters = |name: &str| {
+        let ascii = name.bytes().filter(u8::is_ascii_alphanumeric);
+        ascii.fold(0_u32, |all, letter| all | (1_u32 << (letter % 32)))
+    };
+    let (own_letters, written) = (letters(written), flat(written));
     let wrong_letters = |name: &'n str| {
-        let other = flat(name);
+        // Each wrong letter changes at most two of the letters that a name has. Most names differ in more; the distance takes much longer.
+        let differing = (own_letters ^ letters(name)).count_ones() as usize;
+        let other = (differing <= 2 * most_wrong).then(|| flat(name))?;
         let half = written.len().min(other.len()).saturating_sub(1) / 2;
-        let most = most_wrong.min(half);
-        // A name with more or fewer letters than that cannot be near; the distance takes much longer.
-        let is_as_long = written.chars().count().abs_diff(other.chars().count()) <= most;
-        let wrong = is_as_long.then(|| strsim::osa_distance(&written, &other))?;
-        (wrong <= most).then_some((wrong, name))
+        let wrong = strsim::osa_distance(&written, &other);
+        (wrong <= most_wrong.min(half)).then_some((wrong, name))
     };
     let near: Vec<(usize, &str)> = known.into_iter().filter_map(wrong_letters).collect();
     let fewest = near.iter().map(|(wrong, _)| *wrong).min();
