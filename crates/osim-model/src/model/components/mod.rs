@@ -226,6 +226,9 @@ impl Components {
     pub(crate) fn frame_of(&self, owner: ComponentId, connectee: &Connectee) -> Option<ConnectedFrame> {
         let text = connectee.text.as_str();
         let exact = self.tree.at_path(owner, text).filter(|&id| self.is_frame(id));
+        if exact.is_some() && !connectee.legacy {
+            return Some(ConnectedFrame { component: exact, by_name: false });
+        }
         if exact.is_none() && (text == "ground" || text.ends_with("/ground")) {
             // Ground is at the top of every model, whether the file spells it out or not.
             let exact = match connectee.legacy {

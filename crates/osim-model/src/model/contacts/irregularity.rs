@@ -1,5 +1,7 @@
 //! Finds parts of a model that are written wrongly and were read all the same.
 
+use foldhash::{HashSet, HashSetExt};
+
 use crate::model::components::{CONNECTEE_ENDING, ComponentId, Connectee};
 use crate::model::contacts::read::{CONTACT_PARAMETERS_SET, ContactReader, GEOMETRY_CLASSES, Irregularity};
 use crate::model::document::Document;
@@ -10,11 +12,10 @@ use crate::xml::{ElementId, Tree};
 /// The first version of documents that write all connections as sockets.
 const FIRST_VERSION_WITH_SOCKETS: u32 = 40000;
 
-/// The name of the socket of a frame that is written in an element `tag`; `None` if the element is none.
-fn frame_socket(tag: &str) -> Option<&str> {
-    let socket = tag.strip_prefix("socket_").filter(|socket| !socket.ends_with(CONNECTEE_ENDING))?;
+/// Whether `socket`, the end of a tag, is the name of the socket of a frame.
+fn is_of_frame(socket: &str) -> bool {
     let is_frame = socket == "parent" || ["frame", "body"].iter().any(|word| socket.contains(word));
-    is_frame.then_some(socket)
+    is_frame && !socket.ends_with(CONNECTEE_ENDING)
 }
 
 /// A relative path of `object` as it is from the component at `whole` that contains it: each object between them is a step of a path in
@@ -57,17 +58,23 @@ impl ContactReader<'_> {
     /// Records the sockets of all other objects, such as path points, markers and constraints, that lead to no frame.
     pub(super) fn record_other_sockets(&mut self) {
         let (components, document) = (self.components, self.components.main());
-        let tree = document.tree();
-        let mut sockets = Vec::new();
+        let (tree, is_model) = (document.tree(), document.is_model());
+        let (mut sockets, mut found_paths) = (Vec::new(), HashSet::new());
         tree.walk(document.data_root(), |element| {
-            sockets.extend(frame_socket(tree.name(element)).map(|socket| (element, socket)));
-            document.is_model() && tree.name(element) != "defaults"
+            let tag = tree.name(element);
+            sockets.extend(tag.strip_prefix("socket_").map(|socket| (element, socket)));
+            is_model && tag != "defaults"
         });
         for (element, socket) in sockets {
+            let text = tree.text_of(element);
+            // The points of muscles are on a few bodies.
+            if found_paths.contains(&text) || !is_of_frame(socket) {
+                continue;
+            }
             let Some(object) = tree.parent(element) else { continue };
             let mut above = std::iter::successors(Some(object), |&id| tree.parent(id));
             let Some(id) = above.find_map(|id| components.at(FileId::MAIN, id)) else { continue };
-            let (tag, text) = (tree.name(object), tree.text_of(element).into_owned());
+            let tag = tree.name(object);
             let is_component = components.element(id) == object;
             let is_relative =
                 !text.starts_with('/') && (text.is_empty() || text.contains('/') || text.starts_with('.'));
@@ -80,10 +87,13 @@ impl ContactReader<'_> {
             let seen = seen_from_whole(tree, object, components.element(id), &text);
             let is_exact = is_component || text.starts_with('/') || seen.is_some();
             let seen = Connectee { text: seen.unwrap_or(&text).to_owned(), element, legacy: false };
-            let connectee = Connectee { text, element, legacy: false };
+            let connectee = Connectee { text: text.to_string(), element, legacy: false };
             match components.frame_of(id, &seen) {
                 Some(found) if found.by_name || !is_exact => {
                     self.record_component_taken_by_name(id, &connectee, found.component);
+                }
+                Some(_) if text.starts_with('/') => {
+                    found_paths.insert(text);
                 }
                 Some(_) => {}
                 None => {
