@@ -200,14 +200,14 @@ const PARTS_OF_AXIS: &[&str] = &[
 ];
 
 /// What may be in a list `tag` of a joint or a constraint, which is in an element `parent`; none if it is another element.
-fn members_of_list(tag: &str, parent: &str) -> &'static [&'static str] {
-    match (tag, parent) {
-        ("SpatialTransform", _) => &["TransformAxis"],
-        ("objects", "CoordinateSet") => &["Coordinate"],
-        ("coordinates", joint) if joint.ends_with("Joint") => &["Coordinate"],
-        ("CoordinateSet", _) => &["objects"],
-        ("Ground", _) => &PARTS_OF_FRAME,
-        ("function" | "coupled_coordinates_function" | "prescribed_function", _) => PARTS_OF_AXIS,
+fn members_of_list<'t>(tag: &str, parent: impl Fn() -> &'t str) -> &'static [&'static str] {
+    match tag {
+        "SpatialTransform" => &["TransformAxis"],
+        "objects" if parent() == "CoordinateSet" => &["Coordinate"],
+        "coordinates" if parent().ends_with("Joint") => &["Coordinate"],
+        "CoordinateSet" => &["objects"],
+        "Ground" => &PARTS_OF_FRAME,
+        "function" | "coupled_coordinates_function" | "prescribed_function" => PARTS_OF_AXIS,
         _ => &[],
     }
 }
@@ -220,7 +220,8 @@ const PARTS_OF_FRAME: [&str; 2] = ["FrameGeometry", "frame_geometry"];
 /// Finds texts of numbers and flags that OpenSim reads as other values than are written, or that are not finite. OpenSim silently takes its
 /// default if it cannot read a text.
 pub(super) fn find_misread_texts(model: &Model) -> Vec<Finding> {
-    let (mut found, mut children, mut meant) = (Vec::new(), Vec::new(), MeantNames::default());
+    let (mut found, mut meant) = (Vec::new(), MeantNames::default());
+    let (mut known, mut children) = (Vec::new(), Vec::new());
     let components = model.components();
     for (id, component) in components.tree.iter() {
         let tag = components.tag(id);
@@ -230,8 +231,8 @@ pub(super) fn find_misread_texts(model: &Model) -> Vec<Finding> {
         let document = components.document(component.file);
         let tree = document.tree();
         tree.walk(component.element, |element| {
-            let parent = tree.parent(element).filter(|_| element != component.element);
             let class = tree.name(element);
+            let parent = tree.parent(element).filter(|_| element != component.element);
             // Other components are in these elements.
             let is_component_list = match tag {
                 "Model" => class != "ControllerSet",
@@ -245,9 +246,11 @@ pub(super) fn find_misread_texts(model: &Model) -> Vec<Finding> {
             let is_of_controller = tag == "Model" && parent.is_some();
             let is_looked_at = is_object && (!is_of_controller || PARTS_OF_AXIS.contains(&class));
             let all = if is_looked_at { written_properties(class) } else { &[] };
-            let above = parent.map_or("", |parent| tree.name(parent));
-            let members = if !is_of_controller { members_of_list(class, above) } else { &[] };
-            found.extend(find_unknown_children(model, component.file, element, (members, &mut meant)));
+            let above = || parent.map_or("", |parent| tree.name(parent));
+            let members = if is_of_controller { &[] } else { members_of_list(class, above) };
+            if !members.is_empty() {
+                found.extend(find_unknown_children(model, component.file, element, (members, &mut meant)));
+            }
             if all.is_empty() {
                 return true;
             }
@@ -265,7 +268,8 @@ pub(super) fn find_misread_texts(model: &Model) -> Vec<Finding> {
                     _ => &[],
                 };
                 let numbers = all.iter().flat_map(|(tags, ..)| tags.iter());
-                let known: Vec<&str> = others.iter().chain(numbers).copied().collect();
+                known.clear();
+                known.extend(others.iter().chain(numbers).copied());
                 found.extend(find_unknown_children(model, component.file, element, (&known, &mut meant)));
             }
             children.clear();
@@ -410,12 +414,17 @@ impl TextForm {
     fn has_decimals_alone(self, text: &str) -> bool {
         let is_decimal = |word: &str| {
             let digits = word.strip_prefix('-').unwrap_or(word).as_bytes();
-            let points = digits.iter().filter(|&&letter| letter == b'.').count();
-            let others = digits.iter().any(|letter| !letter.is_ascii_digit() && *letter != b'.');
-            !others && points < digits.len().min(2) && digits.len() <= MOST_LETTERS_OF_FINITE
+            let mut points = 0;
+            let is_plain = |&letter: &u8| {
+                points += usize::from(letter == b'.');
+                letter.is_ascii_digit() || letter == b'.'
+            };
+            let are_plain = digits.iter().all(is_plain);
+            are_plain && points < digits.len().min(2) && digits.len() <= MOST_LETTERS_OF_FINITE
         };
-        let words = || opensim_text::list_words(text);
-        matches!(self, Numbers(count) if words().all(is_decimal) && words().count() == count)
+        let mut words = 0;
+        let mut are_decimal = || opensim_text::list_words(text).inspect(|_| words += 1).all(is_decimal);
+        matches!(self, Numbers(count) if are_decimal() && words == count)
     }
 
     /// The numbers of a text, none if it is a flag; `None` if a person and OpenSim do not read the text alike.
@@ -488,12 +497,13 @@ rule! { pub(super) ODD_NUMBER: OddNumber, Error, Sizes;
 
 /// What is odd about the writing of a value, in words that follow the name of the value.
 fn describe_odd_number(value: &Value) -> Option<String> {
+    value.fault.as_ref()?;
     let meaning = match value.property {
         // The default is not a number.
         Property::Mass if value.number.is_nan() => "with which OpenSim refuses the model".to_owned(),
         _ => format!("which OpenSim reads as {}", value.number),
     };
-    value.fault.is_some().then(|| format!("is '{}', {meaning}", value.text))
+    Some(format!("is '{}', {meaning}", value.text))
 }
 
 rule! { pub(super) OUT_OF_DOMAIN: OutOfDomain, Error, Sizes;

@@ -69,10 +69,12 @@ fn find_version_against_form(model: &Model) -> Vec<Finding> {
         .and_then(|mut all| Some((all.next()?, "its joints are in a JointSet, as from 30505 on".into())));
     let mut late = None;
     tree.walk(document.data_root(), |id| {
-        let last = last_version_with(tree, id).filter(|last| version > *last);
-        let form = |last| (id, format!("{} is written as in documents up to {last}", tree.name(id)));
-        late = late.take().or(last.map(form));
-        late.is_none() && tree.name(id) != "defaults"
+        let tag = tree.name(id);
+        let last = last_version_with(tree, id, tag).filter(|last| version > *last);
+        if let (Some(last), None) = (last, &late) {
+            late = Some((id, format!("{tag} is written as in documents up to {last}")));
+        }
+        late.is_none() && tag != "defaults"
     });
     let finding = |(element, form): (ElementId, String)| {
         let text = format!("the document says Version {version}, and {form}");
@@ -81,13 +83,12 @@ fn find_version_against_form(model: &Model) -> Vec<Finding> {
     early.or(late).map(finding).into_iter().collect()
 }
 
-/// The last version whose documents have an element of this form; `None` if all later ones can have it, too.
-fn last_version_with(tree: &Tree, element: ElementId) -> Option<u32> {
+/// The last version whose documents have an element `tag` of this form; `None` if all later ones can have it, too.
+fn last_version_with(tree: &Tree, element: ElementId, tag: &str) -> Option<u32> {
     let above = |steps| {
         let mut all = std::iter::successors(Some(element), |&id| tree.parent(id));
         all.nth(steps).map_or("", |id| tree.name(id))
     };
-    let tag = tree.name(element);
     match tag {
         "location" if above(2) == "Joint" => Some(30499),
         "Joint" if above(1) == "Body" => Some(30500),
@@ -184,8 +185,10 @@ fn find_ignored_contacts_in_file(model: &Model, file: FileId) -> Vec<Finding> {
     };
     let is_contact = |id: ElementId| {
         let tag = tree.name(id);
-        (FORCE_CLASSES.contains(&tag) || GEOMETRY_CLASSES.contains(&tag))
-            && tree.attribute(id, "name").is_some()
+        // Most elements are neither.
+        let is_class = (tag.ends_with("Force") && FORCE_CLASSES.contains(&tag))
+            || (tag.starts_with("Contact") && GEOMETRY_CLASSES.contains(&tag));
+        is_class && tree.attribute(id, "name").is_some()
     };
     let is_ignored = |id| is_contact(id) && components.at(file, id).is_none() && !left_out(id);
     let mut ignored = Vec::new();
@@ -338,7 +341,8 @@ pub(super) fn find_unknown_children<'a>(
         (is_list || tree.child(owner, meant).is_none())
             .then(|| finding_about_unknown_name(model, file, owner, child, meant))
     };
-    tree.children(owner).filter(|_| !known.is_empty()).filter_map(finding).collect()
+    let is_unknown = |child: &ElementId| !known.is_empty() && !known.contains(&tree.name(*child));
+    tree.children(owner).filter(is_unknown).filter_map(finding).collect()
 }
 
 /// The properties of contacts, and of the sets around them, directly inside of `id`; `None` if `id` is not one of these.

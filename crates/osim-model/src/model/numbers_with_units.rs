@@ -139,7 +139,7 @@ fn inertia_value(model: &Model, body: ComponentId) -> Option<SizedValue> {
     let value = crate::model::body_sizes::inertia_trace(components, body)?;
     let owner = components.name(body).into_owned();
     (!components.is_ground(body) && value.is_finite()).then_some(SizedValue {
-        kind: SizedKind::Inertia,
+        kind: Inertia,
         owner,
         part: ("inertia", 0),
         value,

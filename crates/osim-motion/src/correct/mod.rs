@@ -9,7 +9,6 @@ mod dynamics;
 mod figures;
 mod residuals;
 mod solve;
-use super::verdict::inertia_n;
 mod unknowns;
 mod verdict;
 
@@ -24,6 +23,7 @@ use dynamics::Masses;
 use residuals::{CorrectionInputs, FootGoals, FootSlopes, PlateGoal, Stage, StageProblem, minimise};
 use solve::CONSTANTS;
 use unknowns::{SplineBasis, find_coordinates, knot_distance_s};
+use verdict::inertia_n;
 
 pub use dynamics::{InverseDynamics, RootResidual};
 pub use figures::{CorrectionFigures, FootErrors, ForceErrors};

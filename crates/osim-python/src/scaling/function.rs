@@ -9,8 +9,6 @@ use contact_scaling::equations::symbols::{P, Symbol};
 use contact_scaling::equations::{self, Equation, Form, reference};
 use contact_scaling::modulus::MixingRule;
 
-pub(super) use {function, parameter};
-
 pub(crate) fn rule_by_name(name: &str) -> Option<MixingRule> {
     MIXING_RULES.iter().find(|(rule_name, _)| *rule_name == name).map(|(_, rule)| *rule)
 }
@@ -187,6 +185,8 @@ macro_rules! function {
         Ok($value)
     }};
 }
+
+pub(super) use {function, parameter};
 
 /// The name of the quantity in an error about a list that is too long or too short.
 const NUMBER_OF_ELEMENTS: &str = "the number of elements";
