@@ -12,9 +12,10 @@ use crate::findings::FindingWithRemedy;
 pub const SCHEMA_VERSION: u32 = 1;
 
 /// Records of JSON, each made from one value: after the type of a field is the expression that gives it.
+#[macro_export]
 macro_rules! json_records {
-    ($($(#[$about:meta])* pub struct $name:ident from($source:tt: $from:ty) {
-        $($(#[$about_field:meta])* pub $field:ident: $type:ty = $value:expr,)*
+    ($($(#[$about:meta])* $name:ident from $source:tt: $type_of_source:ty {
+        $($(#[$about_field:meta])* $field:ident: $type:ty = $value:expr,)*
     })*) => {$(
         $(#[$about])*
         #[derive(Debug, Clone, PartialEq, serde::Serialize)]
@@ -23,46 +24,46 @@ macro_rules! json_records {
             $($(#[$about_field])* pub $field: $type,)*
         }
 
-        impl From<$from> for $name {
-            fn from($source: $from) -> Self {
+        impl From<$type_of_source> for $name {
+            fn from($source: $type_of_source) -> Self {
                 Self { $($field: $value,)* }
             }
         }
     )*};
 }
-pub(crate) use json_records;
+pub(crate) use crate::json_records;
 
 json_records! {
     /// A finding in JSON.
-    pub struct FindingRecord from(finding: &Finding) {
+    FindingRecord from finding: &Finding {
         /// The finding's code, a short name that does not change.
-        pub code: &'static str = finding.code().as_str(),
+        code: &'static str = finding.code().as_str(),
         /// Severity of the finding: `error`, `warning` or `remark`.
-        pub severity: &'static str = finding.severity.as_str(),
+        severity: &'static str = finding.severity.as_str(),
         /// Message of the finding, in words.
-        pub message: String = finding.message.to_string(),
+        message: String = finding.message.to_string(),
         /// Why the finding matters, the same for every case.
-        pub why: String = finding.why.to_string(),
+        why: String = finding.why.to_string(),
         /// Advice about the finding, the same for every case.
-        pub advice: String = finding.advice.to_string(),
+        advice: String = finding.advice.to_string(),
         /// Component path of the force or sphere that the finding is about; of several the worst.
-        pub place: Option<String> = finding.place.clone(),
+        place: Option<String> = finding.place.clone(),
         /// Component paths of all elements that the finding is about, `place` first, as far as they are known.
-        pub places: Vec<String> = finding.paths().cloned().collect(),
+        places: Vec<String> = finding.paths().cloned().collect(),
         /// Names of all spheres that the finding is about.
-        pub spheres: Vec<String> = finding.spheres.clone(),
+        spheres: Vec<String> = finding.spheres.clone(),
         /// Line in the model's file, from 1.
-        pub line: Option<usize> = finding.position.map(|at| at.line),
+        line: Option<usize> = finding.position.map(|at| at.line),
         /// Column in its line, in letters, from 1.
-        pub column: Option<usize> = finding.position.map(|at| at.column),
+        column: Option<usize> = finding.position.map(|at| at.column),
         /// A sentence for each element that the finding is about, if there is more to say than its name.
-        pub details: Vec<String> = finding.details.clone(),
+        details: Vec<String> = finding.details.clone(),
         /// The call that corrects the fault, if `check` can propose one.
-        pub command: Option<String> = None,
+        command: Option<String> = None,
         /// Of the result of a change: the model before it, or the reference, has this finding, too.
-        pub had_before: bool = finding.had_before,
+        had_before: bool = finding.had_before,
         /// The known contacts were published with the finding.
-        pub as_published: bool = finding.is_as_published(),
+        as_published: bool = finding.is_as_published(),
     }
 }
 

@@ -8,84 +8,84 @@ use crate::serialized::json_records;
 json_records! {
     /// Other numbers of a model that follow the size of its body: by what factor geometric similarity would change each kind of number, and by
     /// what factor it changed. The program never changes them.
-    pub struct SizeList from(found: Similarity) {
+    SizeList from found: Similarity {
         /// The mass of the original, kg; without an original that of the model.
-        pub original_mass_kg: Option<f64> = found.masses_kg[0],
+        original_mass_kg: Option<f64> = found.masses_kg[0],
         /// The mass of the model, kg; without an original the one that was asked for.
-        pub mass_kg: Option<f64> = found.masses_kg[1],
+        mass_kg: Option<f64> = found.masses_kg[1],
         /// M, the second mass over the first.
-        pub mass_ratio: Option<f64> = found.ratios.map(|ratios| ratios.mass),
+        mass_ratio: Option<f64> = found.ratios.map(|ratios| ratios.mass),
         /// L, the ratio of lengths.
-        pub length_ratio: Option<f64> = found.ratios.map(|ratios| ratios.length),
+        length_ratio: Option<f64> = found.ratios.map(|ratios| ratios.length),
         /// Source of L: `joints`, the summed distances between the joints of each body, or `mass`, the cube root of M.
-        pub length_source: &'static str =
+        length_source: &'static str =
             if let LengthFrom::Joints(_) = found.length_from { "joints" } else { "mass" },
         /// The bodies whose joints were compared.
-        pub compared_bodies: usize =
+        compared_bodies: usize =
             if let LengthFrom::Joints(bodies) = found.length_from { bodies } else { 0 },
         /// The ratio of gravities, which is 1 in nearly all pairs: times are taken to go with √(L / gravity).
-        pub gravity_ratio: Option<f64> = found.ratios.map(|ratios| ratios.gravity),
+        gravity_ratio: Option<f64> = found.ratios.map(|ratios| ratios.gravity),
         /// A row for each kind of number that the model has.
-        pub kinds: Vec<SizeRow> = found.rows.into_iter().map(SizeRow::from).collect(),
+        kinds: Vec<SizeRow> = found.rows.into_iter().map(SizeRow::from).collect(),
         /// Objects of the model whose numbers have no counterpart of that name in the original.
-        pub only_in_model: Vec<String> = found.only_in_model,
+        only_in_model: Vec<String> = found.only_in_model,
         /// Objects of the original whose numbers have no counterpart of that name in the model.
-        pub only_in_original: Vec<String> = found.only_in_original,
+        only_in_original: Vec<String> = found.only_in_original,
         /// Objects that are not read.
-        pub not_read: Vec<UnreadObjects> = found.not_read.into_iter().map(UnreadObjects::from).collect(),
+        not_read: Vec<UnreadObjects> = found.not_read.into_iter().map(UnreadObjects::from).collect(),
     }
 
     /// The numbers of one kind.
-    pub struct SizeRow from(row: SimilarityRow) {
+    SizeRow from row: SimilarityRow {
         /// A short name of the kind of number, for programs, such as `max_isometric_force`. It never changes.
-        pub kind: &'static str = row.kind.as_str(),
+        kind: &'static str = row.kind.as_str(),
         /// The kind in words for people.
-        pub description: &'static str = row.kind.words(),
+        description: &'static str = row.kind.words(),
         /// The unit of the numbers.
-        pub unit: &'static str = row.kind.unit(),
+        unit: &'static str = row.kind.unit(),
         /// How many numbers of this kind the model has; each direction of a bushing is one.
-        pub count: usize = row.count,
+        count: usize = row.count,
         /// The numbers of the model.
-        pub value: SizeSpread = row.values.into(),
+        value: SizeSpread = row.values.into(),
         /// How many numbers have a counterpart in the original; null without an original.
-        pub pairs: Option<usize> = row.compared.as_ref().map(|compared| compared.pairs),
+        pairs: Option<usize> = row.compared.as_ref().map(|compared| compared.pairs),
         /// How many numbers are the same in the model and the original.
-        pub same: Option<usize> = row.compared.as_ref().map(|compared| compared.same),
+        same: Option<usize> = row.compared.as_ref().map(|compared| compared.same),
         /// New number over old one, where the old one is not 0.
-        pub factor: Option<SizeSpread> =
+        factor: Option<SizeSpread> =
             row.compared.and_then(|compared| compared.factors).map(SizeSpread::from),
         /// The factor that geometric similarity gives; null where a mass is not known.
-        pub similarity_factor: Option<f64> = row.similar,
+        similarity_factor: Option<f64> = row.similar,
         /// The expected factor at equal gravity, as a formula of the ratios of mass M and length L.
-        pub similarity_formula: String = similarity_formula(row.kind.dimension()),
+        similarity_formula: String = similarity_formula(row.kind.dimension()),
         /// `follows` similarity, `left` at the old size, `partly-left`, `other`, `undecided` where it would change next to
         /// nothing, `not-compared`; null without an original.
-        pub verdict: Option<&'static str> = row.verdict.map(SizeVerdict::as_str),
+        verdict: Option<&'static str> = row.verdict.map(SizeVerdict::as_str),
         /// The verdict in words for people.
         #[serde(skip)]
         #[cfg_attr(feature = "schemas", schemars(skip))]
-        pub verdict_words: &'static str = row.verdict.map(SizeVerdict::words).unwrap_or_default(),
+        verdict_words: &'static str = row.verdict.map(SizeVerdict::words).unwrap_or_default(),
     }
 
     /// The spread of many numbers.
     #[derive(Copy)]
-    pub struct SizeSpread from(spread: Spread) {
+    SizeSpread from spread: Spread {
         /// Median of the factors.
-        pub median: f64 = spread.median,
+        median: f64 = spread.median,
         /// Least of the factors.
-        pub min: f64 = spread.min,
+        min: f64 = spread.min,
         /// Greatest of the factors.
-        pub max: f64 = spread.max,
+        max: f64 = spread.max,
     }
 
     /// Objects with numbers that are not read.
-    pub struct UnreadObjects from(objects: NotRead) {
+    UnreadObjects from objects: NotRead {
         /// OpenSim's class, or the part of a file.
-        pub class: String = objects.class,
+        class: String = objects.class,
         /// The number of objects.
-        pub count: usize = objects.count,
+        count: usize = objects.count,
         /// Description of the objects' numbers that are not read.
-        pub why: &'static str = objects.why,
+        why: &'static str = objects.why,
     }
 }
 

@@ -93,16 +93,16 @@ pub struct Inspection {
 
 json_records! {
     /// The mass that the contacts are made for.
-    pub struct ContactsMass from(mass: &Mass) {
+    ContactsMass from mass: &Mass {
         /// The mass in kg.
-        pub value: f64 = mass.kg,
+        value: f64 = mass.kg,
         /// Source of the mass, as a word for scripts.
-        pub source: &'static str = mass.source.as_str(),
+        source: &'static str = mass.source.as_str(),
         /// Source of the mass, for people.
         #[serde(skip)]
-        pub description: Phrase = mass.source.describe(),
+        description: Phrase = mass.source.describe(),
         #[serde(skip)]
-        pub from: MassSource = mass.source.clone(),
+        from: MassSource = mass.source.clone(),
     }
 }
 
@@ -120,42 +120,42 @@ impl ContactsMass {
 
 json_records! {
     /// A limb that stands on the ground.
-    pub struct InspectedLimb from((model, limb): (&Model, &Limb)) {
+    InspectedLimb from (model, limb): (&Model, &Limb) {
         /// First body below the place where left and right split.
-        pub name: String = limb.name.clone(),
+        name: String = limb.name.clone(),
         /// Side of the limb, `right` or `left`.
-        pub side: &'static str = limb.side.as_str(),
+        side: &'static str = limb.side.as_str(),
         /// Names of the spheres of the limb.
-        pub spheres: Vec<String> = names_of_spheres(model, &limb.spheres),
+        spheres: Vec<String> = names_of_spheres(model, &limb.spheres),
     }
 
     /// A contact sphere of an inspected model.
-    pub struct InspectedSphere from((model, sphere, limb): (&Model, &Sphere, Option<&str>)) {
+    InspectedSphere from (model, sphere, limb): (&Model, &Sphere, Option<&str>) {
         /// Name of the sphere.
-        pub name: String = sphere.name.clone(),
+        name: String = sphere.name.clone(),
         /// Component path of the sphere.
-        pub path: String = sphere.path.clone(),
+        path: String = sphere.path.clone(),
         /// Radius of the sphere in m; NaN if the file has that, or for an ellipsoid, null in JSON.
         #[cfg_attr(feature = "schemas", schemars(with = "Option<f64>"))]
-        pub radius_m: f64 = if sphere.radii_m.is_none() { sphere.radius.number } else { f64::NAN },
+        radius_m: f64 = if sphere.radii_m.is_none() { sphere.radius.number } else { f64::NAN },
         /// The three radii of an ellipsoid in m.
         #[serde(skip_serializing_if = "Option::is_none")]
-        pub radii_m: Option<[f64; 3]> = sphere.radii_m,
+        radii_m: Option<[f64; 3]> = sphere.radii_m,
         /// Centre of the sphere in the frame that carries it, m; NaN if the file has that, null in JSON.
         #[cfg_attr(feature = "schemas", schemars(with = "[Option<f64>; 3]"))]
-        pub location_m: [f64; 3] = sphere.location_m,
+        location_m: [f64; 3] = sphere.location_m,
         /// Component path of the frame that carries the sphere.
-        pub frame: String = sphere.frame.clone(),
+        frame: String = sphere.frame.clone(),
         /// The body that the frame belongs to, if there is one.
-        pub body: Option<String> = sphere.body.clone(),
+        body: Option<String> = sphere.body.clone(),
         /// Line of the element, from 1.
         #[serde(rename = "line", serialize_with = "line_alone")]
         #[cfg_attr(feature = "schemas", schemars(rename = "line", with = "usize"))]
-        pub position: TextPosition = sphere.position,
+        position: TextPosition = sphere.position,
         /// Limb to which the sphere belongs.
-        pub limb: Option<String> = limb.map(str::to_owned),
+        limb: Option<String> = limb.map(str::to_owned),
         /// Lowest point in the body's frame, m, with the body's axes as they are at the default pose.
-        pub lowest_point_m: Option<[f64; 3]> = model.lowest_point_m(sphere.id).map(DVec3::into),
+        lowest_point_m: Option<[f64; 3]> = model.lowest_point_m(sphere.id).map(DVec3::into),
     }
 }
 
@@ -250,42 +250,42 @@ impl Serialize for Origins {
 
 json_records! {
     /// A contact as dimensionless numbers, in which contacts of different sizes can be compared.
-    pub struct Dimensionless from(contact: &DimensionlessContact) {
+    Dimensionless from contact: &DimensionlessContact {
         /// E* R² n / (M g).
-        pub modulus: f64 = contact.modulus(),
+        modulus: f64 = contact.modulus(),
         /// x̂ of the sphere under its share of the body weight, by the Hertz law (11).
-        pub relative_indentation: f64 = contact.relative_indentation(),
+        relative_indentation: f64 = contact.relative_indentation(),
         /// Dimensionless dissipation α √(g R).
-        pub dissipation: f64 = contact.dissipation(),
+        dissipation: f64 = contact.dissipation(),
         /// √cf / R (C.2).
-        pub constant_indentation: Option<f64> = contact.constant_indentation(),
+        constant_indentation: Option<f64> = contact.constant_indentation(),
         /// Dimensionless Hertz smoothing bd R.
-        pub hertz_smoothing: Option<f64> = contact.hertz_smoothing(),
+        hertz_smoothing: Option<f64> = contact.hertz_smoothing(),
         /// Dimensionless Hunt–Crossley smoothing bv √(g R).
-        pub hunt_crossley_smoothing: Option<f64> = contact.hunt_crossley_smoothing(),
+        hunt_crossley_smoothing: Option<f64> = contact.hunt_crossley_smoothing(),
     }
 
     /// A body of an inspected model.
-    pub struct InspectedBody from(body: &Body) {
+    InspectedBody from body: &Body {
         /// Name of the body.
-        pub name: String = body.name.clone(),
+        name: String = body.name.clone(),
         /// Component path of the body.
-        pub path: String = body.path.clone(),
+        path: String = body.path.clone(),
         /// Mass of the body in kg; NaN if the file has that, null in JSON.
         #[cfg_attr(feature = "schemas", schemars(with = "Option<f64>"))]
-        pub mass_kg: f64 = body.mass.number,
+        mass_kg: f64 = body.mass.number,
     }
 
     /// The factors by which a body was scaled.
-    pub struct InspectedFactors from(body: &BodyFactors) {
+    InspectedFactors from body: &BodyFactors {
         /// Name of the body.
-        pub body: String = body.body.clone(),
+        body: String = body.body.clone(),
         /// Along x, y and z; `None` if no source gives the factor.
-        pub factors: [Option<f64>; 3] = body.axes.map(|axis| axis.map(|axis| axis.factor)),
+        factors: [Option<f64>; 3] = body.axes.map(|axis| axis.map(|axis| axis.factor)),
         /// The source of each of these factors.
-        pub sources: [Option<&'static str>; 3] = body.axes.map(|axis| axis.map(|axis| axis.source.as_str())),
+        sources: [Option<&'static str>; 3] = body.axes.map(|axis| axis.map(|axis| axis.source.as_str())),
         /// The factors that each source gives, by the source's name.
-        pub by_source: FactorsBySource =
+        by_source: FactorsBySource =
             FactorsBySource(body.sources.iter().map(|(name, factors)| (name.as_str(), *factors)).collect()),
     }
 }

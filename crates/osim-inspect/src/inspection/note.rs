@@ -27,20 +27,20 @@ pub struct NoteSummary {
 
 json_records! {
     /// A change of the contacts that the note records.
-    pub struct NoteStep from(step: &Step) {
+    NoteStep from step: &Step {
         /// The verb with its values: `set stiffness=x2`; `others` if values were changed without a note.
-        pub operation: String = step.operation.clone(),
+        operation: String = step.operation.clone(),
         /// Options that mattered, as `name=value`.
-        pub options: String = step.options.clone(),
+        options: String = step.options.clone(),
         /// Mass the contacts were made for before, kg.
-        pub from_mass_kg: Option<f64> = step.from_mass_kg,
+        from_mass_kg: Option<f64> = step.from_mass_kg,
         /// Model or preset that the contacts were taken from.
-        pub reference: Option<String> = step.reference.as_ref().map(|source| source.name.clone()),
+        reference: Option<String> = step.reference.as_ref().map(|source| source.name.clone()),
         /// The first 16 digits of the SHA-256 of the reference's file.
-        pub reference_digest: Option<String> =
+        reference_digest: Option<String> =
             step.reference.as_ref().and_then(|source| source.digest.clone()),
         /// The date of the change, as `2026-11-25`.
-        pub date: Option<String> = step.date.clone(),
+        date: Option<String> = step.date.clone(),
     }
 }
 

@@ -61,55 +61,55 @@ pub struct StandingBody {
 
 json_records! {
     /// The lowest point of a sphere over its floor.
-    pub struct Bottom from((over, sphere): (&SphereOverFloor, &Sphere)) {
+    Bottom from (over, sphere): (&SphereOverFloor, &Sphere) {
         /// Name of the sphere.
-        pub sphere: String = sphere.name.clone(),
+        sphere: String = sphere.name.clone(),
         /// Component path of the coordinate.
-        pub path: String = sphere.path.clone(),
+        path: String = sphere.path.clone(),
         /// Height over the floor along the floor's normal, m; below 0 inside the floor.
-        pub height_m: f64 = over.gap_m,
+        height_m: f64 = over.gap_m,
         /// Radius of the sphere, m.
-        pub radius_m: f64 = sphere.radius.number,
+        radius_m: f64 = sphere.radius.number,
         /// Angle between the floor's normal and the axis of the sphere's body that is nearest to it, or is up with all coordinates at 0
         /// if the model lies, rad: 0 if the body is upright.
-        pub tilt_rad: f64 = over.tilt_rad,
+        tilt_rad: f64 = over.tilt_rad,
         /// The centre of the sphere in ground, m.
         #[serde(skip)]
-        pub centre_m: DVec3 = over.centre_m,
+        centre_m: DVec3 = over.centre_m,
         /// Height of the bottom with all coordinates at 0, along the normal, m; null if that pose is not known.
         #[serde(skip)]
-        pub height_at_zero_m: Option<f64> = over.height_at_zero_m,
+        height_at_zero_m: Option<f64> = over.height_at_zero_m,
     }
 
     /// A body at rest on spheres, by the contact laws of the file.
-    pub struct BodyAtRest from((model, standing, rest, limb): (&Model, &Standing, &RestOnFloor, Option<&Limb>)) {
+    BodyAtRest from (model, standing, rest, limb): (&Model, &Standing, &RestOnFloor, Option<&Limb>) {
         /// The limb whose spheres alone carry the body; null if all limbs do.
-        pub limb: Option<String> = limb.map(|limb| limb.name.clone()),
+        limb: Option<String> = limb.map(|limb| limb.name.clone()),
         /// The value of the coordinate at rest, m.
-        pub value_m: Option<f64> = standing.coordinate_at(rest.down_m),
+        value_m: Option<f64> = standing.coordinate_at(rest.down_m),
         /// How far the body at rest is below its default pose, along the normal, m; below 0 if it is above.
-        pub down_m: f64 = rest.down_m,
+        down_m: f64 = rest.down_m,
         /// Load of the spheres along the normal, N.
-        pub load_n: f64 = rest.load_n,
+        load_n: f64 = rest.load_n,
         /// Whether each sphere is less deep than its radius; beyond that no contact law holds.
-        pub carried: bool = rest.is_carried(),
+        carried: bool = rest.is_carried(),
         /// The spheres that carry the body, in file order.
-        pub spheres: Vec<StandingSphere> = {
+        spheres: Vec<StandingSphere> = {
             let sphere = |one: &RestingSphere| Some((one, model.sphere(one.sphere)?).into());
             rest.spheres.iter().filter_map(sphere).collect()
         },
     }
 
     /// A sphere of a body at rest.
-    pub struct StandingSphere from((at_rest, sphere): (&RestingSphere, &Sphere)) {
+    StandingSphere from (at_rest, sphere): (&RestingSphere, &Sphere) {
         /// Name of the sphere.
-        pub sphere: String = sphere.name.clone(),
+        sphere: String = sphere.name.clone(),
         /// Component path of the sphere.
-        pub path: String = sphere.path.clone(),
+        path: String = sphere.path.clone(),
         /// Depth of the sphere in the floor, in its radius; not above 0 if it does not touch.
-        pub relative_indentation: f64 = at_rest.relative_indentation,
+        relative_indentation: f64 = at_rest.relative_indentation,
         /// Load of the sphere along the normal, N.
-        pub force_n: f64 = at_rest.force_n,
+        force_n: f64 = at_rest.force_n,
     }
 }
 

@@ -51,7 +51,7 @@ impl Formatter for VisibleLetters {
 
 // The JSON contract of what went wrong.
 
-records! {
+osim_inspect::json_records! {
     /// One model that could not be done.
     FailureRecord from (failure, dialect): (&Failure, &dyn Dialect) {
         /// Version of this JSON, which rises when a field changes its meaning or goes away.
@@ -87,7 +87,7 @@ impl FailureRecord {
 
 // The JSON contract of a change.
 
-records! {
+osim_inspect::json_records! {
     /// The changes of a model, and the files of the result.
     PlanRecord from (plan, model, path, output, geometry_output):
         (&Plan, &Model, &Path, Option<&Path>, Option<&Path>) {

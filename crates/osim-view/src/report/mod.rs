@@ -26,26 +26,6 @@
 //! It knows no files, no arguments and no terminal, computes nothing of its own, and decides nothing: plans, inspections and
 //! checks are shown as they are.
 
-/// Records for JSON, with the value of each field from what a record is made of.
-macro_rules! records {
-    ($($(#[$about:meta])* $name:ident from $source:tt: $type_of_source:ty {
-        $($(#[$attribute:meta])* $field:ident: $type:ty = $value:expr,)*
-    })*) => {$(
-        $(#[$about])*
-        #[derive(Debug, Clone, PartialEq, serde::Serialize)]
-        #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
-        pub struct $name {
-            $($(#[$attribute])* pub $field: $type,)*
-        }
-
-        impl From<$type_of_source> for $name {
-            fn from($source: $type_of_source) -> Self {
-                Self { $($field: $value,)* }
-            }
-        }
-    )*};
-}
-
 pub mod check;
 pub mod explain;
 pub mod extent;

@@ -11,7 +11,7 @@ use crate::report::layout::{WIDTH, csv_text, filled, table, wrapped};
 
 // The comparison as data.
 
-records! {
+osim_inspect::json_records! {
     /// Table 1 of the paper, printed and computed, as the JSON has it.
     ReproductionRecord from (table1, dialect): (&[AnimalRecord], &dyn Dialect) {
         /// Version of this JSON, which rises when a field changes its meaning or goes away.

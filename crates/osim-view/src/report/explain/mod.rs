@@ -101,7 +101,7 @@ pub enum TopicRecord {
     },
 }
 
-records! {
+osim_inspect::json_records! {
     /// One way to write an equation.
     FormulaRecord from form: &Form {
         /// What sets the form apart, such as `for x`; empty for the first form.

@@ -141,7 +141,7 @@ pub fn drop_csv(drop: &DropResult) -> Result<String, csv::Error> {
 #[derive(Debug, Clone, Copy)]
 pub struct DropRecord<'d>(pub &'d DropResult);
 
-records! {
+osim_inspect::json_records! {
     /// How far two drops are apart without dimensions.
     DropDifferenceRecord from compared: &ComparedDrop {
         /// Name of the body with which this one is compared.

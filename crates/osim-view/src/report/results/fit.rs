@@ -120,7 +120,7 @@ fn restitution_in_words(fit: &Fit) -> String {
 
 // The JSON contract of a fit.
 
-records! {
+osim_inspect::json_records! {
     /// A fit, as the JSON has it.
     FitRecord from result: &FitResult {
         /// Version of this JSON, which rises when a field changes its meaning or goes away.

@@ -27,7 +27,7 @@ pub use motion::{
     ground_reactions_sto, motion_columns, motion_csv, motion_text,
 };
 
-records! {
+osim_inspect::json_records! {
     /// A preset, as the JSON has it.
     PresetRecord from preset: &Preset {
         /// Version of this JSON, which rises when a field changes its meaning or goes away.
@@ -146,7 +146,7 @@ pub fn design_sheet_text(sheet: &DesignSheet, columns: Option<usize>) -> String 
 
 // The JSON contract of a sweep's end.
 
-records! {
+osim_inspect::json_records! {
     /// The end of a sweep, for scripts.
     SweepRecord from (model, folder, manifest): (&FileName, &Path, Option<&Path>) {
         /// Version of this JSON, which rises when a field changes its meaning or goes away.

@@ -8,7 +8,7 @@ use osim_motion::{
 };
 use osim_planning::{MotionRemark, MotionResult};
 
-records! {
+osim_inspect::json_records! {
     /// A motion, as the JSON has it.
     MotionRecord from (result, remarks, dialect): (&MotionResult, &[MotionRemark], &dyn Dialect) {
         /// Version of this JSON, which rises when a field changes its meaning or goes away.
