@@ -313,7 +313,8 @@ impl CheckedMotion {
         let record = judged.as_ref().ok().map(|judged| judged.record(judged.why.to_string()));
         let answer = judged.map(|judged| match (judged.verdict, phrase![weight, &judged.why]) {
             (MotionVerdict::Agree, why) => Ok(why),
-            (verdict, why) => Err(rules::unlike_recording(verdict == MotionVerdict::LargeCorrection, why)),
+            (MotionVerdict::LargeCorrection, why) => Err(Finding::new(&rules::LARGE_CORRECTION, why)),
+            (_, why) => Err(Finding::new(&rules::UNLIKE_RECORDING, why)),
         });
         (answer, remark, record)
     }

@@ -102,7 +102,11 @@ impl PreparedChange {
             judged.retain(|one| !cases_of(one).all(|case| own.contains(&case)));
         }
         let is_sunk_in = |one: &&Finding| !one.had_before && one.code() == FindingCode::SunkIn;
-        let awaits = self.bodies_await_scaling(plan, weighs_kg);
+        // Contacts are scaled before the bodies, which then still have another mass. The default pose of the scaled bodies is not known, and
+        // a warning about the present pose would come with every rescaling to another mass.
+        let is_other = |target| weighs_kg.is_none_or(|weighs| !are_equal_masses(weighs, target));
+        let target_mass_kg = plan.masses.as_ref().map(|masses| masses.target_mass_kg);
+        let awaits = self.is_for_target_mass() && target_mass_kg.is_some_and(is_other);
         let moved = changed.filter(|_| !awaits || judged.iter().any(|one| is_sunk_in(&one)));
         let mut moved = moved.map_or_else(MovedBottoms::default, |changed| {
             MovedBottoms::between(plan, &opened.model, changed)
@@ -177,14 +181,6 @@ impl PreparedChange {
             options.masses.model_kg = Some(masses.contacts_mass.kg);
         }
         options
-    }
-
-    /// Whether the contacts are scaled before the bodies, which still have another mass. The default pose of the scaled bodies is then not
-    /// known, and a warning about the present pose would come with every rescaling to another mass.
-    fn bodies_await_scaling(&self, plan: &Plan, weighs_kg: Option<f64>) -> bool {
-        let target_mass_kg = plan.masses.as_ref().map(|masses| masses.target_mass_kg);
-        let is_other = |target| weighs_kg.is_none_or(|weighs| !are_equal_masses(weighs, target));
-        self.is_for_target_mass() && target_mass_kg.is_some_and(is_other)
     }
 }
 

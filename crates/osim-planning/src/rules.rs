@@ -228,7 +228,7 @@ pub(crate) fn find_dissipation_forms(
     Some(Finding::new(&DISSIPATION_FORMS, text))
 }
 
-rule! { UNLIKE_RECORDING: UnlikeRecording, Warning, Recording;
+rule! { pub(crate) UNLIKE_RECORDING: UnlikeRecording, Warning, Recording;
     what: "Contacts, motion and force plates do not agree, and the reason is seen.",
     why: "Feet are swapped, a unit, a sign or an axis is wrong, the plates are late or early, or one foot is higher than the other.",
     advice: "correct the cause that is named, before contacts or motion are changed",
@@ -237,7 +237,7 @@ rule! { UNLIKE_RECORDING: UnlikeRecording, Warning, Recording;
         bad: r#"{"verb": "check", "models": ["motion/walker.osim"], "motion": "motion/walk.mot", "plates": "motion/kilonewtons.sto"}"# },
 }
 
-rule! { LARGE_CORRECTION: LargeCorrection, Remark, Recording;
+rule! { pub(crate) LARGE_CORRECTION: LargeCorrection, Remark, Recording;
     what: "Contacts and force plates agree after a large correction of the motion only, or not even then.",
     why: "The smallest correction with which the contacts give the measured forces moves spheres by more than 12 mm, or leaves 0.1 body weights. Half of all measured recordings are so.",
     advice: "`motion MODEL correct=FILE`, with the motion and its plates, writes a corrected motion: a start for simulations",
@@ -258,9 +258,4 @@ rule! { HORIZONTAL_ERROR: HorizontalError, Remark;
 /// The finding that horizontal forces are further from the plates than without contacts; `text` is its message.
 pub(crate) fn horizontal_error(text: Phrase) -> Finding {
     Finding::new(&HORIZONTAL_ERROR, text)
-}
-
-/// The finding that contacts, motion and plates do not agree, or after a large correction only; `text` is its message.
-pub(crate) fn unlike_recording(agrees_at_last: bool, text: Phrase) -> Finding {
-    Finding::new(if agrees_at_last { &LARGE_CORRECTION } else { &UNLIKE_RECORDING }, text)
 }

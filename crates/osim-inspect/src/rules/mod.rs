@@ -18,6 +18,7 @@ mod spheres;
 mod standing;
 mod unlikely_numbers;
 
+use contact_scaling::limits::SUGGESTED_CONSTANT_INDENTATION;
 use osim_model::{Finding, FindingCode, Model, Rule};
 use osim_requests::Request;
 
@@ -211,9 +212,9 @@ pub(crate) fn apply_figure_rules(check: &FigureCheck<'_>) -> Vec<FindingWithReme
 /// The request that corrects a finding of [`model_findings`], if there is one.
 pub(crate) fn find_remedy(model: &Model, finding: &Finding, remedies: &Remedies<'_>) -> Option<Request> {
     match finding.code() {
-        FindingCode::DefaultStiffness => unlikely_numbers::take_published_contacts(remedies),
+        FindingCode::DefaultStiffness => remedies.transfer_published(None).map(Request::from),
         FindingCode::ZeroConstantContactForce => {
-            unlikely_numbers::set_suggested_constant_indentation(remedies)
+            remedies.design_constant_indentation(SUGGESTED_CONSTANT_INDENTATION)
         }
         FindingCode::ConnecteeByName => components::connect_sockets(remedies, model),
         FindingCode::MocoDialect => forces::convert_moco_forces(remedies, model, finding),

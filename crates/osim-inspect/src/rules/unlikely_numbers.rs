@@ -1,16 +1,12 @@
 //! Rules about unlikely numbers of a model.
 
-use contact_scaling::limits::SUGGESTED_CONSTANT_INDENTATION;
+use crate::rules::spheres::other_cases_in_words;
 use osim_model::messages::{readable, shown, three_significant};
+use osim_model::rule;
 use osim_model::{
     Body, Example, Finding, JointCoordinate, Model, Orientation, Property, Repair, SetId, Severity, Value,
     ValueOrigin,
 };
-use osim_requests::Request;
-
-use crate::findings::Remedies;
-use crate::rules::spheres::other_cases_in_words;
-use osim_model::rule;
 
 /// The largest inertia, kg m², that a body without mass may have. Programs write tiny inertias for frames that weigh nothing.
 const INERTIA_OF_MASSLESS_FRAME: f64 = 1e-6;
@@ -110,11 +106,6 @@ pub(super) fn find_default_stiffness(model: &Model) -> Vec<Finding> {
     found
 }
 
-/// A remedy for a default stiffness: the contacts of a published model.
-pub(super) fn take_published_contacts(remedies: &Remedies<'_>) -> Option<Request> {
-    remedies.transfer_published(None).map(Request::from)
-}
-
 /// Whether a value is a stiffness that is absent from the file, so that OpenSim takes its default.
 pub(super) fn is_default_stiffness(value: &Value) -> bool {
     value.property == Property::Stiffness && value.origin == ValueOrigin::ClassDefault
@@ -142,11 +133,6 @@ pub(super) fn find_zero_constant_contact_force(model: &Model) -> Vec<Finding> {
         }
     }
     found
-}
-
-/// A remedy that gives the smoothed law the suggested √cf/R.
-pub(super) fn set_suggested_constant_indentation(remedies: &Remedies<'_>) -> Option<Request> {
-    remedies.design_constant_indentation(SUGGESTED_CONSTANT_INDENTATION)
 }
 
 rule! { pub(super) ANGLE_IN_DEGREES: AngleInDegrees, Error, Floor;

@@ -139,7 +139,7 @@ fn find_several_parameter_sets(force: &Force) -> Option<Finding> {
     (used > 1).then(|| Finding::at(&SEVERAL_PARAMETER_SETS, force.position, text).with_place(&force.path))
 }
 
-rule! { FACTORS_DISAGREE: FactorsDisagree, Warning;
+rule! { pub(crate) FACTORS_DISAGREE: FactorsDisagree, Warning;
     what: "Two sources give different scale factors of a body.",
     why: "A sphere's place and size follow from its body's factors; the first source in the order given, scale file, mesh, joint offset was taken.",
     advice: "Look at `inspect from`, and give `body_scale=BODY=x,y,z` where another source is right",
@@ -147,11 +147,6 @@ rule! { FACTORS_DISAGREE: FactorsDisagree, Warning;
     example: Example::Request {
         good: r#"{"verb": "transfer", "models": ["scale_tool/scaled_smooth.osim"], "from": "scale_tool/generic_smooth.osim", "follow_bodies": true}"#,
         bad: r#"{"verb": "transfer", "models": ["scale_tool/scaled_smooth.osim"], "from": "scale_tool/generic_smooth.osim", "follow_bodies": true, "body_scale": {"calcn_r": [1.02, 0.91, 0.95]}}"# },
-}
-
-/// The finding that two sources give different scale factors; `message` has the details.
-pub(crate) fn factors_disagree(message: String) -> Finding {
-    Finding::new(&FACTORS_DISAGREE, message)
 }
 
 rule! { NOT_A_SCALED_COPY: NotAScaledCopy, Warning;

@@ -123,11 +123,7 @@ pub(crate) fn remark_on_standing(plan: &Plan, built: &Model) -> Option<Phrase> {
     let new = plan.new_spheres();
     let new: HashSet<&str> = new.iter().map(|sphere| sphere.name).collect();
     let is_new = |body: &StandingBody| body.bottoms.iter().any(|one| new.contains(one.sphere.as_str()));
-    bodies.into_iter().find(is_new).and_then(|body| lowest_sphere_remark(&body))
-}
-
-/// A remark on how far the lowest sphere is from the floor at the default pose.
-fn lowest_sphere_remark(body: &StandingBody) -> Option<Phrase> {
+    let body = bodies.into_iter().find(is_new)?;
     let (lowest, height, way) = (body.lowest()?, body.height_in_words()?, body.describe_way_to_stand());
     let lowest = shown(&lowest.sphere);
     Some(format!("at the default pose {lowest}, the lowest sphere, is {height}; {way}").into())

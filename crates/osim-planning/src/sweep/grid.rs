@@ -13,22 +13,17 @@ pub(super) struct GridPoint<'g> {
 }
 
 impl GridPoint<'_> {
-    /// The names and values of the axes, with `equals` between name and value.
+    /// The names of the axes, as in notes and in names of files, and their values, with `equals` between name and value.
     pub(super) fn joined(&self, equals: &str, separator: &str) -> String {
-        let one = |(name, value): &(AxisName, &GridValue)| [name_in_files(*name), &value.label].join(equals);
+        let one = |(name, value): &(AxisName, &GridValue)| {
+            let name = if *name == AxisName::TargetMass { "target-mass" } else { name.as_str() };
+            [name, &value.label].join(equals)
+        };
         self.values.iter().map(one).collect::<Vec<String>>().join(separator)
     }
 
     pub(super) fn value_of_axis(&self, wanted: AxisName) -> Option<f64> {
         self.values.iter().find(|(name, _)| *name == wanted).map(|(_, value)| value.number)
-    }
-}
-
-/// The name of an axis in notes and in names of files.
-fn name_in_files(name: AxisName) -> &'static str {
-    match name {
-        AxisName::TargetMass => "target-mass",
-        other => other.as_str(),
     }
 }
 

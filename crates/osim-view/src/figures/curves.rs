@@ -49,8 +49,10 @@ pub fn contact_force(
         };
         let series = series::force(body, kind, units, (from_m, to_m))?;
         let outside = series.rest.map(|(x, _)| x).filter(|x| *x > units.x(to_m, radius_m));
-        let remark = outside
-            .map(|x| format!(" (rests at {}, outside the figure)", indentation_at_rest_text(x, units)));
+        let remark = outside.map(|x| match units.indentation {
+            IndentationUnit::Relative => format!(" (rests at x̂ = {x:.2}, outside the figure)"),
+            IndentationUnit::Millimetre => format!(" (rests at {x:.1} mm, outside the figure)"),
+        });
         let name = series::curve_name(body, kind, bodies.len() == 1);
         drawn.push(KindOfSphereLaws { name, series, remark: remark.unwrap_or_default() });
     }
@@ -119,13 +121,6 @@ fn end_of_force_axis(drawn: &[KindOfSphereLaws]) -> Option<f64> {
     let highest = drawn.iter().flat_map(|one| one.series.hertz.iter().chain(&one.series.model_law));
     let highest = highest.fold(0.0_f64, |most, (_, force)| most.max(*force));
     (highest > top && top > 0.0).then_some(top)
-}
-
-fn indentation_at_rest_text(x: f64, units: PlotUnits) -> String {
-    match units.indentation {
-        IndentationUnit::Relative => format!("x̂ = {x:.2}"),
-        IndentationUnit::Millimetre => format!("{x:.1} mm"),
-    }
 }
 
 /// Loops of force against indentation while spheres move into the ground and out again; the area inside a loop is the lost energy. A single

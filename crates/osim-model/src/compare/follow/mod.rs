@@ -357,7 +357,8 @@ impl Factors {
         for sources in all_sources.iter().filter(|sources| carrying.contains(&sources.body)) {
             let messages =
                 sources.disagreements(&factors.by_name.axes_of_body(&factors.bodies, sources.body));
-            factors.findings.extend(messages.into_iter().map(rules::factors_disagree));
+            let finding = |message: String| Finding::new(&rules::FACTORS_DISAGREE, message);
+            factors.findings.extend(messages.into_iter().map(finding));
         }
         Ok(factors)
     }

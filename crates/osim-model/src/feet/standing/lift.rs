@@ -210,13 +210,8 @@ impl<'j> JointTree<'j> {
     }
 
     pub(super) fn path_to_ground(&self, body: &str) -> Vec<ParentJoint<'j>> {
-        let mut path = Vec::new();
-        let mut at = self.above.get(body);
-        while let Some(parent_joint) = at {
-            path.push(*parent_joint);
-            at = parent_joint.parent.and_then(|parent| self.above.get(parent));
-        }
-        path
+        let next = |at: &&ParentJoint<'j>| self.above.get(at.parent?);
+        std::iter::successors(self.above.get(body), next).copied().collect()
     }
 
     /// The topmost body in the tree of `body`, which is joined to ground.

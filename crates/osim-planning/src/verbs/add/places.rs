@@ -216,7 +216,10 @@ impl FeetPlaces {
         }
         let bodies: Vec<&str> = self.bodies.iter().map(String::as_str).collect();
         let bones = bones(model, &bodies, &folders, files)?;
-        let doubt = bones.iter().find_map(|bone| question_about_mesh_size(model, bone));
+        // A mesh that is probably in another unit, or from another animal.
+        let odd = bones.iter().find_map(|bone| odd_size(model, bone));
+        let question = YesQuestion::ImplausibleScale;
+        let doubt = odd.map(|odd| Suspicion::Other { question, text: odd.text.into() });
         answers.require_yes(doubt).map_err(Fault::new)?;
         let nothing = |folder: &&PathBuf| !bones.iter().any(|bone| bone.file.starts_with(folder));
         if let Some(folder) =
@@ -231,12 +234,6 @@ impl FeetPlaces {
         let request = SoleRequest { count: self.count, radius_m, pad_m: self.pad_m };
         Ok(soles(model, &bones, &request)?)
     }
-}
-
-/// The question about a mesh that is probably in another unit, or from another animal.
-fn question_about_mesh_size(model: &Model, bone: &Bone) -> Option<Suspicion> {
-    let text = odd_size(model, bone)?.text;
-    Some(Suspicion::Other { question: YesQuestion::ImplausibleScale, text: text.into() })
 }
 
 /// The question about a foot that does not lie flat.
