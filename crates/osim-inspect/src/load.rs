@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use osim_model::messages::{Input, Phrase, phrase, readable};
 use osim_model::{
     CountedSpheres, Fault, Finding, ForceId, Limb, Limbs, Mass, MassRequest, MassSource, MissingFact, Model,
-    Selection, Suspicion, are_equal_masses, implausible_mass,
+    Result, Selection, Suspicion, are_equal_masses, implausible_mass,
 };
 use osim_requests::options::{InspectionOptions, StanceOptions};
 use osim_requests::{Acceleration, Count, Positive};
@@ -112,7 +112,7 @@ impl LoadSharing {
     /// # Errors
     ///
     /// No number is given, and left and right are not known, or limbs have different numbers of spheres.
-    pub fn count(&self, given: Option<f64>, stance_limbs: f64, whose: CountedSpheres) -> Result<f64, Fault> {
+    pub fn count(&self, given: Option<f64>, stance_limbs: f64, whose: CountedSpheres) -> Result<f64> {
         let on_limbs = || self.limbs.spheres_per_limb().map(|spheres| spheres as f64 * stance_limbs);
         let count = given.map_or_else(on_limbs, Ok);
         count.map_err(|why| Fault::new(MissingFact::SphereCount { of: whose, why }))
@@ -142,12 +142,7 @@ impl ContactsOrigin {
     ///
     /// # Errors
     /// A note that no longer fits the file, or any error of [`MassRequest::model_mass`].
-    pub fn find(
-        model: &Model,
-        forces: &[ForceId],
-        masses: &MassRequest,
-        stance: &Stance,
-    ) -> Result<Self, Fault> {
+    pub fn find(model: &Model, forces: &[ForceId], masses: &MassRequest, stance: &Stance) -> Result<Self> {
         let is_said = masses.contacts_mass(model)?.0.source.is_about_contacts();
         let known = (!is_said).then(|| {
             let sharing = LoadSharing::of(model, forces);
@@ -163,7 +158,7 @@ impl ContactsOrigin {
         model: &Model,
         masses: &MassRequest,
         known: Option<KnownContacts>,
-    ) -> Result<Self, Fault> {
+    ) -> Result<Self> {
         let (mut mass, findings) = masses.contacts_mass(model)?;
         let published = known.filter(|known| !mass.source.is_about_contacts() && !known.is_made_for(mass.kg));
         if let Some(known) = published {
@@ -176,7 +171,7 @@ impl ContactsOrigin {
     ///
     /// # Errors
     /// The question.
-    pub fn refuse_other_body(&self, model: &Model, masses: &MassRequest, input: Input) -> Result<(), Fault> {
+    pub fn refuse_other_body(&self, model: &Model, masses: &MassRequest, input: Input) -> Result<()> {
         let MassSource::Known(title) = self.mass.source else { return Ok(()) };
         let bodies_kg = masses.model_mass(model)?.kg;
         if are_equal_masses(self.mass.kg, bodies_kg) {

@@ -13,6 +13,9 @@ pub struct LibraryFault {
     pub cause: FaultCause,
 }
 
+/// What an action with files gives, or why it failed.
+pub type Result<T, E = LibraryFault> = std::result::Result<T, E>;
+
 /// What made an action with files fail: the call, the operating system, or another run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum FaultCause {
@@ -118,11 +121,11 @@ impl std::error::Error for LibraryFault {}
 
 /// Adds the name of the failed action to an error.
 pub(crate) trait Context<T> {
-    fn context<D: Display>(self, what: impl FnOnce() -> D) -> Result<T, LibraryFault>;
+    fn context<D: Display>(self, what: impl FnOnce() -> D) -> Result<T>;
 }
 
 impl<T, E: Display> Context<T> for Result<T, E> {
-    fn context<D: Display>(self, what: impl FnOnce() -> D) -> Result<T, LibraryFault> {
+    fn context<D: Display>(self, what: impl FnOnce() -> D) -> Result<T> {
         self.map_err(|why| LibraryFault::system(what(), why))
     }
 }

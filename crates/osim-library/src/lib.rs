@@ -19,7 +19,7 @@ mod sweep;
 mod workers;
 mod write;
 
-pub use fault::{FaultCause, LibraryFault};
+pub use fault::{FaultCause, LibraryFault, Result};
 pub use file_access::{reason, sha256};
 pub use motion_files::MotionFiles;
 pub use paths::{folder_of, make_folder_of, require_folder_of, resolved};

@@ -9,10 +9,10 @@ use osim_view::report::results::{
     MOCO_FILES, NMSM_FILES, corrected_files, external_loads_xml, ground_reactions_sto, moco_files, nmsm_files,
 };
 
-use crate::LibraryFault;
 use crate::paths::{make_folder_of, require_folder_of};
 use crate::run::PathConflicts;
 use crate::write::{WriteMode, write_files};
+use crate::{LibraryFault, Result};
 
 /// The files that a request for a motion names.
 pub struct MotionFiles {
@@ -39,7 +39,7 @@ impl MotionFiles {
     ///
     /// # Errors
     /// A name does not have the ending of a table, or is the name of a file that is read.
-    pub fn of(request: &MotionRequest) -> Result<Self, LibraryFault> {
+    pub fn of(request: &MotionRequest) -> Result<Self> {
         let is_table = |path: &Path| {
             path.extension()
                 .is_some_and(|ending| ["sto", "mot"].iter().any(|known| ending.eq_ignore_ascii_case(known)))
@@ -81,7 +81,7 @@ impl MotionFiles {
     ///
     /// # Errors
     /// As [`write_files`].
-    pub fn write(&self, result: &MotionResult, next: &NextModels) -> Result<Vec<PathBuf>, LibraryFault> {
+    pub fn write(&self, result: &MotionResult, next: &NextModels) -> Result<Vec<PathBuf>> {
         let name = |path: &Path| path.file_name().unwrap_or_default().to_string_lossy().into_owned();
         let mut files: Vec<(PathBuf, String)> = Vec::new();
         if let [Some(table), Some(loads), ..] = self.paths.as_slice() {

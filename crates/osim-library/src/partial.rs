@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 
 use osim_model::messages::{Input, Phrase, phrase};
 
-use crate::fault::{Context, LibraryFault};
+use crate::fault::{Context, LibraryFault, Result};
 use crate::file_access;
 
 /// A file of whole lines that only one run at a time may write.
@@ -32,7 +32,7 @@ impl PartialFile {
     }
 
     /// Refuses to begin if a run that was stopped left a partial file.
-    pub(crate) fn refuse_leftover(whole: &Path) -> Result<(), LibraryFault> {
+    pub(crate) fn refuse_leftover(whole: &Path) -> Result<()> {
         let path = Self::path_for(whole);
         if !path.exists() {
             return Ok(());
@@ -44,7 +44,7 @@ impl PartialFile {
     }
 
     /// Refuses to begin if another run has the partial file of `whole` open.
-    pub(crate) fn refuse_if_in_use(whole: &Path, way_out: &Phrase) -> Result<(), LibraryFault> {
+    pub(crate) fn refuse_if_in_use(whole: &Path, way_out: &Phrase) -> Result<()> {
         let path = Self::path_for(whole);
         match file_access::is_open_exclusively(&path).context(|| format!("cannot read {}", path.display()))? {
             true => Err(fault_of_file_in_use(whole, way_out)),
@@ -57,7 +57,7 @@ impl PartialFile {
     ///
     /// # Errors
     /// The partial file cannot be written, or another run has it open.
-    pub(crate) fn open(whole: &Path, resume: bool, way_out: &Phrase) -> Result<Self, LibraryFault> {
+    pub(crate) fn open(whole: &Path, resume: bool, way_out: &Phrase) -> Result<Self> {
         let path = Self::path_for(whole);
         let cannot = || format!("cannot write {}", path.display());
         let opened = file_access::open_exclusively(&path).map_err(|error| match error.kind() {
@@ -83,7 +83,7 @@ impl PartialFile {
     ///
     /// # Errors
     /// The disk is full. No part of the lines is in the file then.
-    pub(crate) fn add_lines(&mut self, lines: &[u8]) -> Result<(), LibraryFault> {
+    pub(crate) fn add_lines(&mut self, lines: &[u8]) -> Result<()> {
         let cannot = || format!("cannot write {}", self.path.display());
         if let Err(error) = self.file.write_all(lines) {
             // A part of the line may have been written: the next line would run into it.
@@ -95,7 +95,7 @@ impl PartialFile {
     }
 
     /// Removes the file, after the complete file was written.
-    pub(crate) fn remove(self) -> Result<(), LibraryFault> {
+    pub(crate) fn remove(self) -> Result<()> {
         let Self { path, file, .. } = self;
         // While the file is open, no other run begins with a file that is about to be removed. Windows cannot remove an open file.
         let open = cfg!(unix).then_some(file);

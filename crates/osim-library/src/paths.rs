@@ -5,7 +5,7 @@ use std::path::{Component, Path, PathBuf};
 
 use osim_model::nearest_names;
 
-use crate::fault::{Context, LibraryFault};
+use crate::fault::{Context, LibraryFault, Result};
 
 /// The absolute path without links, `.` and `..`; parts that do not exist yet stay as they are written.
 pub fn resolved(path: &Path) -> PathBuf {
@@ -63,7 +63,7 @@ pub(crate) fn similar_file(path: &Path) -> Option<PathBuf> {
 pub fn require_folder_of<'p>(
     path: &Path,
     results: impl IntoIterator<Item = &'p Path>,
-) -> Result<(), LibraryFault> {
+) -> Result<()> {
     let folder = folder_of(path);
     // A folder that cannot be looked at is left to the system's own message.
     let is_missing = folder.try_exists().is_ok_and(|there| !there);
@@ -78,7 +78,7 @@ pub fn require_folder_of<'p>(
 }
 
 /// Makes the folder of `path` and the folders above it.
-pub fn make_folder_of(path: &Path) -> Result<(), LibraryFault> {
+pub fn make_folder_of(path: &Path) -> Result<()> {
     let shown = folder_of(path).display();
     if folder_of(path).is_dir() {
         return Ok(());

@@ -20,7 +20,9 @@ use osim_view::html::{
 
 use crate::file_access::read_head;
 use crate::run::{ChangedModel, Record, Run};
-use crate::{Disk, LibraryFault, PendingFile, WriteMode, folder_of, make_folder_of, reason, resolved};
+use crate::{
+    Disk, LibraryFault, PendingFile, Result, WriteMode, folder_of, make_folder_of, reason, resolved,
+};
 
 /// A report page names this program as its generator within this number of first bytes.
 const SEARCHED_HEAD_BYTES: usize = 1024;
@@ -43,7 +45,7 @@ impl ReportPage {
         head: PageHead,
         failures: &[Failure],
         words: Words,
-    ) -> Result<Self, LibraryFault> {
+    ) -> Result<Self> {
         check_name(path)?;
         if path.exists() && !may_replace {
             return Err(LibraryFault::file_exists(path, Input::Report));
@@ -68,7 +70,7 @@ impl ReportPage {
         options: &RunOptions,
         call: String,
         words: Words,
-    ) -> Result<Option<Self>, LibraryFault> {
+    ) -> Result<Option<Self>> {
         let Some(path) = &options.report else { return Ok(None) };
         let request = &run.request;
         let shown = || match (request.tasks.first(), request.failures.first()) {
@@ -94,7 +96,7 @@ impl ReportPage {
     ///
     /// # Errors
     /// The page cannot be written. An existing page stays as it is.
-    pub fn finish(self) -> Result<(), LibraryFault> {
+    pub fn finish(self) -> Result<()> {
         let Self { mut prepared, page } = self;
         page.finish(&mut prepared)
             .map_err(|error| LibraryFault::new(reason(&error)).with_context("cannot write the report"))?;
@@ -103,7 +105,7 @@ impl ReportPage {
 }
 
 /// Refuses a page whose name does not end like that of an HTML file.
-fn check_name(path: &Path) -> Result<(), LibraryFault> {
+fn check_name(path: &Path) -> Result<()> {
     let ending = path.extension().map(|ending| ending.to_string_lossy().to_ascii_lowercase());
     match ending.as_deref() {
         Some("html" | "htm") => Ok(()),
@@ -119,7 +121,7 @@ struct NamelessFile(BufWriter<File>);
 
 impl NamelessFile {
     /// A file on the disk of `path`. The system removes it when the process ends.
-    pub(crate) fn in_folder_of(path: &Path) -> Result<Self, LibraryFault> {
+    pub(crate) fn in_folder_of(path: &Path) -> Result<Self> {
         let target = resolved(path);
         let folder = folder_of(&target);
         let file = tempfile::tempfile_in(folder).map_err(|error| {

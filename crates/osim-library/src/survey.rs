@@ -19,7 +19,7 @@ use crate::run::{ModelToFix, NOTHING_WRITTEN, PathConflicts, ResultDestination};
 use crate::source::MemoryFirst;
 use crate::workers::{thread_count, work_in_order};
 use crate::{
-    Disk, LibraryFault, LoadedModel, ModelSource, OutputFolders, Sources, require_folder_of, sha256,
+    Disk, LibraryFault, LoadedModel, ModelSource, OutputFolders, Result, Sources, require_folder_of, sha256,
 };
 
 /// Models that one call inspects or checks, with the options of the call.
@@ -58,7 +58,7 @@ impl Survey<'_> {
     /// # Errors
     /// The check would write several models to one file, or several results exist already. The name of the page has another ending than
     /// `.html`, its folder is not there, the file exists already, or this call reads it.
-    pub fn begin_page(&self, call: String) -> Result<Option<ReportPage>, LibraryFault> {
+    pub fn begin_page(&self, call: String) -> Result<Option<ReportPage>> {
         self.check.map_or(Ok(()), |call| self.refuse_outputs(call))?;
         let Some(path) = &self.report.report else { return Ok(None) };
         require_folder_of(path, self.check.and_then(|call| call.output_dir.as_deref()))?;
@@ -78,7 +78,7 @@ impl Survey<'_> {
     }
 
     /// Refuses one output for several models, and several results that exist already and may not be replaced.
-    fn refuse_outputs(&self, call: &CheckRequest) -> Result<(), LibraryFault> {
+    fn refuse_outputs(&self, call: &CheckRequest) -> Result<()> {
         let (models, output) = (&self.sources.models, call.output());
         if models.len() > 1 && output.output.is_some() {
             return Err(LibraryFault::new(phrase![

@@ -2,8 +2,8 @@
 
 use contact_scaling::{Friction, FrictionValues, Law};
 use osim_model::{
-    DVec3, Fault, Force, ForceId, ForceKind, HalfSpace, Model, Property, SetId, Sphere, SphereId, Surfaces,
-    contact_of_pair,
+    DVec3, Fault, Force, ForceId, ForceKind, HalfSpace, Model, Property, Result, SetId, Sphere, SphereId,
+    Surfaces, contact_of_pair,
 };
 
 /// The surface that a sphere can touch: a plane or another sphere.
@@ -41,10 +41,7 @@ pub struct ContactPair {
 }
 
 /// All contact pairs of moving spheres in `forces`, and the planes, each once. Two moving spheres that can touch are two pairs.
-pub(crate) fn contact_pairs(
-    model: &Model,
-    forces: &[ForceId],
-) -> Result<(Vec<ContactPair>, Vec<HalfSpace>), Fault> {
+pub(crate) fn contact_pairs(model: &Model, forces: &[ForceId]) -> Result<(Vec<ContactPair>, Vec<HalfSpace>)> {
     let (mut pairs, mut planes): (Vec<ContactPair>, Vec<HalfSpace>) = (Vec::new(), Vec::new());
     for force in forces.iter().filter_map(|&id| model.force(id)) {
         let surfaces = Surfaces::of(force)?;
@@ -86,7 +83,7 @@ struct PairBuilder<'m> {
 
 impl PairBuilder<'_> {
     /// The contact pair of a sphere and what it touches.
-    fn build(&self, sphere: &Sphere, touched: TouchedSurface) -> Result<ContactPair, Fault> {
+    fn build(&self, sphere: &Sphere, touched: TouchedSurface) -> Result<ContactPair> {
         let Self { model, force, set, .. } = *self;
         let at_force = |error: contact_scaling::DomainError| Fault::new(error).at_element(force.path.clone());
         let contact = contact_of_pair(force, self.surfaces, set, self.other_set)?;
@@ -119,7 +116,7 @@ impl PairBuilder<'_> {
     }
 
     /// Friction coefficients of the sphere and the plane together.
-    fn friction(&self) -> Result<FrictionValues, Fault> {
+    fn friction(&self) -> Result<FrictionValues> {
         let value = |set, property| Ok::<f64, Fault>(self.force.checked(set, property)?.unwrap_or(0.0));
         let mixed = |property| {
             let (own, other) = (value(self.set, property)?, value(self.other_set, property)?);
@@ -135,7 +132,7 @@ impl PairBuilder<'_> {
 
     /// Depth of the point where the force acts, divided by the indentation. In Simbody this point is nearer to the stiffer
     /// surface: k^(2/3) of the sphere divided by the sum for both surfaces.
-    fn depth_share(&self) -> Result<f64, Fault> {
+    fn depth_share(&self) -> Result<f64> {
         if self.force.kind != ForceKind::HuntCrossley || self.set == self.other_set {
             return Ok(0.5);
         }

@@ -1,7 +1,7 @@
 //! Computes the states of all contacts along a recording: places, velocities and forces of spheres.
 
 use osim_model::feet::PoseFault;
-use osim_model::{DVec3, Fault, ForceId, HalfSpace, Model, MovingPlacement, Placement, SphereId};
+use osim_model::{DVec3, Fault, ForceId, HalfSpace, Model, MovingPlacement, Placement, Result, SphereId};
 
 use crate::body_motions::{JointMotions, JointPaths};
 use crate::pair::{ContactPair, TouchedSurface, contact_pairs};
@@ -283,7 +283,7 @@ impl Surface {
     }
 
     /// The surface of a sphere that another sphere touches.
-    fn from_sphere(model: &Model, id: SphereId, paths: &JointPaths<'_>) -> Result<Self, Fault> {
+    fn from_sphere(model: &Model, id: SphereId, paths: &JointPaths<'_>) -> Result<Self> {
         let unread = || Fault::refused("the place of a sphere that another one touches cannot be read");
         let (sphere, point_m) = model.sphere(id).zip(model.centre_m(id)).ok_or_else(unread)?;
         let body = sphere.body.as_deref().and_then(|body| paths.body(body));

@@ -5,8 +5,8 @@ use contact_scaling::modulus::SurfaceValues;
 use foldhash::{HashSet, HashSetExt};
 use osim_model::messages::Phrase;
 use osim_model::{
-    DissipationBy, Fault, FaultKind, FileId, Finding, Force, ForceId, HalfSpace, Model, Property, SetId,
-    Slot, Sphere, SphereId, Surfaces, ValueKey, radius_of_equal_volume, sphere_sets,
+    DissipationBy, Fault, FaultKind, FileId, Finding, Force, ForceId, HalfSpace, Model, Property, Result,
+    SetId, Slot, Sphere, SphereId, Surfaces, ValueKey, radius_of_equal_volume, sphere_sets,
 };
 
 use crate::change::{ChangedBy, NumberChange, PlaceChange, property_factor};
@@ -59,7 +59,7 @@ impl<'m> PlanBuilder<'m> {
         set: SetId,
         property: Property,
         new: NewNumber,
-    ) -> Result<(), Fault> {
+    ) -> Result<()> {
         let Some(force) = self.model.force(force) else { return Ok(()) };
         let of_set = force.set(set).filter(|set| set.value(property).is_some());
         if of_set.is_some_and(|set| set.inherited) {
@@ -88,7 +88,7 @@ impl<'m> PlanBuilder<'m> {
     }
 
     /// Plans a change of a sphere's radius.
-    pub(crate) fn change_radius(&mut self, sphere: SphereId, new: NewNumber) -> Result<(), Fault> {
+    pub(crate) fn change_radius(&mut self, sphere: SphereId, new: NewNumber) -> Result<()> {
         let from = self.model.radius_m(sphere)?;
         let Some(sphere) = self.model.sphere(sphere) else { return Ok(()) };
         let slot = sphere.radius_slot();
@@ -114,7 +114,7 @@ impl<'m> PlanBuilder<'m> {
     }
 
     /// Plans a new location of a sphere's centre.
-    pub(crate) fn move_sphere(&mut self, sphere: SphereId, to: [f64; 3], by: ChangedBy) -> Result<(), Fault> {
+    pub(crate) fn move_sphere(&mut self, sphere: SphereId, to: [f64; 3], by: ChangedBy) -> Result<()> {
         let Some(sphere) = self.model.sphere(sphere) else { return Ok(()) };
         let from = sphere.location_m;
         let close = |(a, b): (f64, f64)| (a - b).abs() <= ROUNDING_OF_FACTORS * a.abs().max(b.abs());
@@ -126,12 +126,7 @@ impl<'m> PlanBuilder<'m> {
     }
 
     /// Plans a new location of a half-space in its own frame, m.
-    pub(crate) fn move_half_space(
-        &mut self,
-        plane: &HalfSpace,
-        to: [f64; 3],
-        by: ChangedBy,
-    ) -> Result<(), Fault> {
+    pub(crate) fn move_half_space(&mut self, plane: &HalfSpace, to: [f64; 3], by: ChangedBy) -> Result<()> {
         let from = plane.location_m.unwrap_or_default();
         if from == to {
             return Ok(());
@@ -147,7 +142,7 @@ impl<'m> PlanBuilder<'m> {
         (from, to): ([f64; 3], [f64; 3]),
         by: ChangedBy,
         slot: Slot,
-    ) -> Result<(), Fault> {
+    ) -> Result<()> {
         refuse_included(self.model, slot.file, &path)?;
         let (line, inserted) = (self.line_of_slot(&slot), slot.span.is_none());
         let planned = PlaceChange { geometry, path, from, to, by, line, inserted, slot };
@@ -161,7 +156,7 @@ impl<'m> PlanBuilder<'m> {
     }
 
     /// Adds a change, unless the number stays.
-    fn push(&mut self, change: NumberChange) -> Result<(), Fault> {
+    fn push(&mut self, change: NumberChange) -> Result<()> {
         change.check()?;
         // A value that is computed again may differ in its last bits and mean the same; a given one is taken exactly.
         let computed = change.factor.is_none() && change.by != ChangedBy::Given;
@@ -188,7 +183,7 @@ impl<'m> PlanBuilder<'m> {
         force: &Force,
         property: Property,
         new: impl Fn(f64) -> NewNumber,
-    ) -> Result<bool, Fault> {
+    ) -> Result<bool> {
         let mut found = false;
         for set in &force.sets {
             if let Some(from) = force.checked(set.id, property)? {
@@ -201,7 +196,7 @@ impl<'m> PlanBuilder<'m> {
 }
 
 /// Refuses a change of the element `path` if it is in a file that the model includes.
-pub(crate) fn refuse_included(model: &Model, file: FileId, path: &str) -> Result<(), Fault> {
+pub(crate) fn refuse_included(model: &Model, file: FileId, path: &str) -> Result<()> {
     let Some(included) = model.included_file(file) else { return Ok(()) };
     let kind = FaultKind::IncludedFile { path: path.to_owned(), file: included.to_owned() };
     Err(Fault::new(kind).at_element(path))
@@ -215,7 +210,7 @@ pub(crate) fn scale_with_radius(
     property: Property,
     own: &Ratios,
     by: DissipationBy,
-) -> Result<(), Fault> {
+) -> Result<()> {
     let Some((factor, by)) = property_factor(property, own, by) else { return Ok(()) };
     plan.change_in_all_sets(force, property, |from| NewNumber::multiplied(from, factor, by)).map(drop)
 }
@@ -233,7 +228,7 @@ pub(crate) fn change_composite(
     property: Property,
     to: f64,
     by: ChangedBy,
-) -> Result<(), Fault> {
+) -> Result<()> {
     let Some(force) = plan.model.force(id) else { return Ok(()) };
     let sets: Vec<SetId> = force.sets.iter().map(|set| set.id).collect();
     let mixes = matches!(property, Property::Stiffness | Property::Dissipation);
@@ -263,9 +258,9 @@ fn present_composite(
     force: &Force,
     surfaces: &Surfaces,
     property: Property,
-) -> Result<f64, Fault> {
+) -> Result<f64> {
     let pairs = plan.model.sphere_pairs(force);
-    let contacts: Result<Vec<SurfaceValues>, Fault> = if pairs.is_empty() {
+    let contacts: Result<Vec<SurfaceValues>> = if pairs.is_empty() {
         sphere_sets(plan.model, force).into_iter().map(|(set, _)| surfaces.with_plane(set)).collect()
     } else {
         let set_with = |sphere: &Sphere| {

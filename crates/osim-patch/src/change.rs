@@ -4,7 +4,7 @@
 use contact_scaling::Ratios;
 use osim_model::messages::{Input, readable, shortest};
 use osim_model::{
-    DissipationBy, Fault, FaultKind, FileId, GravityFor, MissingFact, Property, Slot, ValueKey,
+    DissipationBy, Fault, FaultKind, FileId, GravityFor, MissingFact, Property, Result, Slot, ValueKey,
 };
 
 /// A number that changes, in the unit of its [`Property`].
@@ -145,12 +145,12 @@ impl NumberChange {
     /// # Errors
     /// The number is not finite, or outside the domain in which the contact laws hold. The fault has its place and its
     /// origin.
-    pub(crate) fn check(&self) -> Result<(), Fault> {
+    pub(crate) fn check(&self) -> Result<()> {
         refuse_bad_number(self.to, self.property, || self.origin_of_value()).map_err(|fault| self.at(fault))
     }
 
     /// The text that is written for the new number.
-    pub(crate) fn text(&self) -> Result<String, Fault> {
+    pub(crate) fn text(&self) -> Result<String> {
         let text = match self.radii_m {
             None => number_text(self.to, self.property, || self.origin_of_value()),
             Some([_, new]) => triple_text(new, self.slot.tag, || self.origin_of_value()),
@@ -196,7 +196,7 @@ impl PlaceChange {
     ///
     /// # Errors
     /// A coordinate is not finite. The fault has the place of the element and the origin of the value.
-    pub(crate) fn text(&self) -> Result<String, Fault> {
+    pub(crate) fn text(&self) -> Result<String> {
         let from = || self.from.map(readable).join(" ");
         let origin = || format!("{}, in the place of {}", self.by.in_words(), from());
         triple_text(self.to, self.slot.tag, origin).map_err(|fault| {
@@ -214,17 +214,13 @@ impl PlaceChange {
 ///
 /// # Errors
 /// A value that is not finite, or outside the domain of the contact laws ([`FaultKind::NewValue`]).
-pub(crate) fn number_text(
-    value: f64,
-    property: Property,
-    origin: impl FnOnce() -> String,
-) -> Result<String, Fault> {
+pub(crate) fn number_text(value: f64, property: Property, origin: impl FnOnce() -> String) -> Result<String> {
     refuse_bad_number(value, property, origin)?;
     Ok(shortest(value))
 }
 
 /// Whether the new `value` of `property` may be written.
-fn refuse_bad_number(value: f64, property: Property, origin: impl FnOnce() -> String) -> Result<(), Fault> {
+fn refuse_bad_number(value: f64, property: Property, origin: impl FnOnce() -> String) -> Result<()> {
     if property.allows(value) {
         return Ok(());
     }
@@ -235,11 +231,7 @@ fn refuse_bad_number(value: f64, property: Property, origin: impl FnOnce() -> St
 ///
 /// # Errors
 /// One of the numbers is not finite ([`FaultKind::NewValue`]).
-pub(crate) fn triple_text(
-    values: [f64; 3],
-    name: &str,
-    origin: impl FnOnce() -> String,
-) -> Result<String, Fault> {
+pub(crate) fn triple_text(values: [f64; 3], name: &str, origin: impl FnOnce() -> String) -> Result<String> {
     match values.into_iter().find(|value| !value.is_finite()) {
         Some(value) => Err(refused_number(name, value, "three finite numbers", origin())),
         None => Ok(values.map(shortest).join(" ")),
@@ -287,7 +279,7 @@ impl GravityChange {
     ///
     /// # Errors
     /// `target` is not above 0, or `target` is given and `now` is not known.
-    pub(crate) fn new(now: Option<f64>, target: Option<f64>, now_for: GravityFor) -> Result<Self, Fault> {
+    pub(crate) fn new(now: Option<f64>, target: Option<f64>, now_for: GravityFor) -> Result<Self> {
         let Some(target) = target else { return Ok(Self { ratio: 1.0, words: String::new() }) };
         if !(target.is_finite() && target > 0.0) {
             return Err(Fault::new(FaultKind::BadInput {

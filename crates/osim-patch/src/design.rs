@@ -8,7 +8,8 @@ use contact_scaling::{
 use osim_model::messages::{Phrase, counted, phrase, readable};
 use osim_model::{
     DissipationBy, Fault, Force, ForceKind, GravityFor, Mass, MissingFact, Model, Note, Property,
-    PropertySet, RadiusRule, Scope, Selected, SetId, are_equal_gravities, is_at_target, moving_spheres,
+    PropertySet, RadiusRule, Result, Scope, Selected, SetId, are_equal_gravities, is_at_target,
+    moving_spheres,
 };
 
 use crate::builder::{NewNumber, PlanBuilder, change_composite, scale_with_radius};
@@ -113,7 +114,7 @@ pub struct Design {
 /// - An indentation without a load ([`MissingFact::Load`]), or a restitution without an impact speed in a model without gravity
 ///   ([`MissingFact::Gravity`]).
 /// - The errors of [`rescale`](crate::rescale) that are about values and shared spheres.
-pub fn design(model: &Model, selected: &Selected, wanted: &Design) -> Result<Plan, Fault> {
+pub fn design(model: &Model, selected: &Selected, wanted: &Design) -> Result<Plan> {
     let mut plan = PlanBuilder::new(model);
     let properties = PropertySet::default();
     let rule = wanted.radius_rule()?;
@@ -210,7 +211,7 @@ impl Design {
     }
 
     /// The rule for the radii; with a wanted contact stiffness, the radius comes from (11) and (B.2).
-    fn radius_rule(&self) -> Result<SphereRadiusRule, Fault> {
+    fn radius_rule(&self) -> Result<SphereRadiusRule> {
         match (self.contact_stiffness_n_m, self.modulus, &self.load) {
             (Some(k), Some(DesignModulus::Indentation(x)), Some(load)) => {
                 let radius = dimensioned::radius_for_stiffness(k, x, load).map_err(Fault::new)?;
@@ -221,7 +222,7 @@ impl Design {
     }
 
     /// Refuses what a force on pairs of spheres has no number for.
-    fn refuse_for_pairs(&self, force: &Force) -> Result<(), Fault> {
+    fn refuse_for_pairs(&self, force: &Force) -> Result<()> {
         let needed = if self.contact_stiffness_n_m.is_some() {
             "give radii in metres: a contact stiffness gives one radius, and a pair has two"
         } else if self.target_mass.is_some() {
@@ -249,7 +250,7 @@ impl Design {
         plan: &PlanBuilder<'_>,
         sphere: &DesignedForce<'_>,
         property: Property,
-    ) -> Result<Option<(f64, ChangedBy)>, Fault> {
+    ) -> Result<Option<(f64, ChangedBy)>> {
         let (radius_m, smooth, model) = (sphere.radius_m, is_smooth(sphere.force), plan.model);
         let (to, equation) = match property {
             Property::Stiffness => {
@@ -293,7 +294,7 @@ impl Design {
         plan: &PlanBuilder<'_>,
         sphere: &DesignedForce<'_>,
         property: Property,
-    ) -> Result<Option<f64>, Fault> {
+    ) -> Result<Option<f64>> {
         if let Some((to, _)) = self.value(plan, sphere, property)? {
             return Ok(Some(to));
         }
@@ -304,7 +305,7 @@ impl Design {
 
     /// The factor on the Hertz force at speed 0, the second factor of (C.9), with the α and bv of the force; 1 without
     /// smoothing.
-    fn speed_state(&self, plan: &PlanBuilder<'_>, sphere: &DesignedForce<'_>) -> Result<f64, Fault> {
+    fn speed_state(&self, plan: &PlanBuilder<'_>, sphere: &DesignedForce<'_>) -> Result<f64> {
         if !is_smooth(sphere.force) {
             return Ok(1.0);
         }
@@ -321,7 +322,7 @@ impl Design {
         &self,
         plan: &PlanBuilder<'_>,
         sphere: &DesignedForce<'_>,
-    ) -> Result<Option<f64>, Fault> {
+    ) -> Result<Option<f64>> {
         let Some(load) = self.load.filter(|_| is_smooth(sphere.force)) else { return Ok(None) };
         let after =
             |property| self.value_after(plan, sphere, property).map(|value| value.unwrap_or(f64::NAN));
@@ -347,7 +348,7 @@ impl Design {
         modulus: DesignModulus,
         radius_m: f64,
         speed_state: f64,
-    ) -> Result<(f64, ChangedBy), Fault> {
+    ) -> Result<(f64, ChangedBy)> {
         match modulus {
             DesignModulus::Known(n_m2) => Ok((n_m2, ChangedBy::Given)),
             DesignModulus::Young { young_n_m2, poisson } => {
@@ -421,7 +422,7 @@ impl Design {
 }
 
 /// √(gR/2), the impact speed after a fall from a quarter of the radius, as in the paper's drop test.
-fn default_impact_speed(gravity: Option<f64>, radius_m: f64) -> Result<f64, Fault> {
+fn default_impact_speed(gravity: Option<f64>, radius_m: f64) -> Result<f64> {
     match gravity.filter(|&gravity| gravity > 0.0) {
         Some(gravity) => restitution::drop_speed(gravity, radius_m).map_err(Fault::new),
         None => Err(Fault::new(MissingFact::Gravity { purpose: GravityFor::ImpactSpeed })),

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use osim_model::{Fault, FaultKind, Model};
+use osim_model::{Fault, FaultKind, Model, Result};
 
 /// Replaces a span of bytes by a text; with an empty span, inserts the text. [`splice`] applies edits to bytes; [`Patch`] does so
 /// without a copy.
@@ -51,7 +51,7 @@ impl<'b> Patch<'b> {
     ///
     /// # Errors
     /// Two edits overlap, or one reaches past the end ([`FaultKind::OverlappingEdits`]).
-    pub fn new(bytes: &'b [u8], mut edits: Vec<Edit>) -> Result<Self, Fault> {
+    pub fn new(bytes: &'b [u8], mut edits: Vec<Edit>) -> Result<Self> {
         edits.sort_by_key(|edit| edit.span.start);
         let mut at = 0;
         for Edit { span, .. } in &edits {
@@ -82,12 +82,12 @@ impl<'b> Patch<'b> {
 }
 
 /// Applies all `edits` to `bytes`, or none of them: see [`Edit`] for an example.
-pub fn splice(bytes: &[u8], edits: &[Edit]) -> Result<Vec<u8>, Fault> {
+pub fn splice(bytes: &[u8], edits: &[Edit]) -> Result<Vec<u8>> {
     Patch::new(bytes, edits.to_vec()).map(|patch| patch.to_vec())
 }
 
 /// `model` read again with `edits` in its main file; an error if any edit fails.
-pub(crate) fn model_with_edits(model: &Model, edits: Vec<Edit>) -> Result<Model, Fault> {
+pub(crate) fn model_with_edits(model: &Model, edits: Vec<Edit>) -> Result<Model> {
     let patch = Patch::new(model.document().bytes(), edits)?;
     model.read_again(patch.to_vec(), &[])
 }

@@ -7,7 +7,7 @@ use foldhash::{HashMap, HashMapExt, HashSet};
 use osim_model::compare::ScaleFile;
 use osim_model::{
     Fault, Force, ForceId, LevelAxis, MissingFact, Model, Property, PropertySet, RadiusChangeReason,
-    RadiusRule, Sphere, SphereId, moving_spheres, root_mean_square,
+    RadiusRule, Result, Sphere, SphereId, moving_spheres, root_mean_square,
 };
 
 use crate::builder::{NewNumber, PlanBuilder};
@@ -27,7 +27,7 @@ impl Radii {
         rule_of: impl Fn(SphereId) -> SphereRadiusRule,
         isometric: f64,
         properties: &PropertySet,
-    ) -> Result<Self, Fault> {
+    ) -> Result<Self> {
         let model = plan.model;
         let mut radii = BTreeMap::new();
         let users = ForcesOutsideChange::find(model, forces);
@@ -63,7 +63,7 @@ impl Radii {
     }
 
     /// The scaling ratios of one force that follow from its new and old radii.
-    pub(crate) fn own_ratios(&self, model: &Model, force: &Force) -> Result<Ratios, Fault> {
+    pub(crate) fn own_ratios(&self, model: &Model, force: &Force) -> Result<Ratios> {
         let radius = self.ratio(model, force);
         Ratios::new(RatioValues { mass: 1.0, sphere_count: 1.0, radius, gravity: 1.0 }).map_err(Fault::new)
     }
@@ -111,7 +111,7 @@ impl Radii {
     }
 
     /// Moves sphere centres so that the lowest points of the spheres stay where they are.
-    pub(crate) fn keep_bottoms(&self, plan: &mut PlanBuilder<'_>, axis: LevelAxis) -> Result<(), Fault> {
+    pub(crate) fn keep_bottoms(&self, plan: &mut PlanBuilder<'_>, axis: LevelAxis) -> Result<()> {
         for (&sphere, pair) in &self.0 {
             let Some(found) = plan.model.sphere(sphere) else { continue };
             found.round_radius_m()?;
@@ -130,7 +130,7 @@ impl Radii {
         forces: &[ForceId],
         bodies: &ScaleFile,
         level: Option<LevelAxis>,
-    ) -> Result<(), Fault> {
+    ) -> Result<()> {
         let users = ForcesOutsideChange::find(plan.model, forces);
         for (&sphere, pair) in &self.0 {
             let Some(found) = plan.model.sphere(sphere) else { continue };
@@ -266,7 +266,7 @@ impl<'m> ForcesOutsideChange<'m> {
         chosen: &[ForceId],
         sphere: SphereId,
         radius: RadiusChangeReason,
-    ) -> Result<(), Fault> {
+    ) -> Result<()> {
         let Some(shared) = model.sphere(sphere) else { return Ok(()) };
         let mut left: Vec<&str> = self.forces.get(&sphere).cloned().unwrap_or_default();
         let forces = left.len();

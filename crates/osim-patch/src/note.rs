@@ -1,7 +1,7 @@
 //! Plans of the verb `note`, which writes the mass that contacts were made for into the file, and notes after changes of objects.
 
 use osim_model::messages::{Input, phrase, readable};
-use osim_model::{Fault, Mass, MassSource, Model, Note, Scope, Step, positive_mass};
+use osim_model::{Mass, MassSource, Model, Note, Result, Scope, Step, positive_mass};
 
 use crate::objects::{EarlierNote, RebuiltModel};
 use crate::plan::{Masses, NoteFacts, Plan};
@@ -30,7 +30,7 @@ pub fn note(
     contacts_mass_kg: f64,
     gravity_m_s2: Option<f64>,
     stance_limbs: Option<f64>,
-) -> Result<Plan, Fault> {
+) -> Result<Plan> {
     let kg = positive_mass(Input::ContactsMass, contacts_mass_kg)?;
     let contacts_mass = Mass { kg, source: MassSource::ContactsMass };
     let taken =

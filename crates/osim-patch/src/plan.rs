@@ -7,8 +7,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use foldhash::{HashMap, HashSet};
 use osim_model::messages::{Dialect, Phrase};
 use osim_model::{
-    Class, ElementId, Fault, FileId, Finding, Mass, MassRequest, Model, Note, Property, Scope, Sphere,
-    SphereId, Step, ValueKey, is_at_target,
+    Class, ElementId, Fault, FileId, Finding, Mass, MassRequest, Model, Note, Property, Result, Scope,
+    Sphere, SphereId, Step, ValueKey, is_at_target,
 };
 
 use crate::change::{ChangedBy, NumberChange, PlaceChange};
@@ -350,7 +350,7 @@ impl Plan {
     ///
     /// # Errors
     /// A number that is not finite, or outside its domain, with its place.
-    pub fn edits(&self, model: &Model, file: FileId) -> Result<Vec<Edit>, Fault> {
+    pub fn edits(&self, model: &Model, file: FileId) -> Result<Vec<Edit>> {
         let document = self.base_model(model).file(file);
         let tree = document.tree();
         let mut edits = Vec::new();
@@ -389,10 +389,9 @@ impl Plan {
     }
 
     /// The model after the plan, read from its new bytes.
-    pub fn changed_model(&self, model: &Model) -> Result<Model, Fault> {
+    pub fn changed_model(&self, model: &Model) -> Result<Model> {
         let others = self.files(model).filter(|&file| file != FileId::MAIN);
-        let others =
-            others.map(|file| Ok((file, self.patched(model, file)?))).collect::<Result<Vec<_>, Fault>>()?;
+        let others = others.map(|file| Ok((file, self.patched(model, file)?))).collect::<Result<Vec<_>>>()?;
         self.base_model(model).read_again(self.patched(model, FileId::MAIN)?, &others)
     }
 
@@ -410,12 +409,12 @@ impl Plan {
     ///
     /// # Errors
     /// A number that is not finite, with its place; or overlapping edits, which would be a defect of this crate.
-    pub fn patched(&self, model: &Model, file: FileId) -> Result<Vec<u8>, Fault> {
+    pub fn patched(&self, model: &Model, file: FileId) -> Result<Vec<u8>> {
         self.patch(model, file).map(|patch| patch.to_vec())
     }
 
     /// The new file without a copy: slices of the original and of new text alternate.
-    pub fn patch<'m>(&'m self, model: &'m Model, file: FileId) -> Result<Patch<'m>, Fault> {
+    pub fn patch<'m>(&'m self, model: &'m Model, file: FileId) -> Result<Patch<'m>> {
         Patch::new(self.base_model(model).file(file).bytes(), self.edits(model, file)?)
     }
 }

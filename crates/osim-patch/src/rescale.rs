@@ -5,7 +5,7 @@ use osim_model::compare::ScaleFile;
 use osim_model::messages::{Input, four_significant, readable};
 use osim_model::{
     DissipationBy, Fault, GravityFor, LevelAxis, Mass, MissingFact, Model, Property, PropertySet, RadiusRule,
-    Scope, Selected, is_at_target, positive_mass,
+    Result, Scope, Selected, is_at_target, positive_mass,
 };
 
 use crate::builder::{NewNumber, PlanBuilder};
@@ -130,7 +130,7 @@ impl Rescale {
 ///   [`FaultKind::Domain`](osim_model::FaultKind::Domain)), or that is in an included file or in `<defaults>`.
 /// - A sphere whose radius would change while a force outside `selected` also uses it ([`MissingFact::SharedSphere`]).
 /// - A mass or gravity that is not above 0, or that is not known ([`MissingFact::Gravity`], [`MissingFact::ContactsGravity`]).
-pub fn rescale(model: &Model, selected: &Selected, wanted: &Rescale) -> Result<Plan, Fault> {
+pub fn rescale(model: &Model, selected: &Selected, wanted: &Rescale) -> Result<Plan> {
     let target_mass_kg = positive_mass(Input::TargetMass, wanted.target_mass_kg)?;
     let contacts_mass_kg = wanted.contacts_mass.kg;
     let mut plan = PlanBuilder::new(model);
@@ -177,7 +177,7 @@ pub fn rescale(model: &Model, selected: &Selected, wanted: &Rescale) -> Result<P
 }
 
 /// Gravity that the contacts were made for. If a factor depends on it and the note is in doubt, the note's gravity is not used.
-fn contacts_gravity(model: &Model, wanted: &Rescale) -> Result<Option<f64>, Fault> {
+fn contacts_gravity(model: &Model, wanted: &Rescale) -> Result<Option<f64>> {
     let noted = model.note.as_ref().and_then(|note| note.gravity_m_s2);
     let differs = noted.is_some() && noted != model.gravity();
     match (wanted.contacts_gravity_m_s2, model.doubt_about_note()) {

@@ -3,8 +3,8 @@
 use foldhash::HashMap;
 use osim_model::messages::{Verb, phrase};
 use osim_model::{
-    Assignment, Fault, HalfSpace, Mass, MissingFact, Model, Property, RadiusChangeReason, Selected, SphereId,
-    moving_spheres,
+    Assignment, Fault, HalfSpace, Mass, MissingFact, Model, Property, RadiusChangeReason, Result, Selected,
+    SphereId, moving_spheres,
 };
 
 use crate::builder::{NewNumber, PlanBuilder};
@@ -102,7 +102,7 @@ fn is_assigned_already(model: &Model, wanted: &Set) -> bool {
 /// - A value outside the domain of its property, a property that none of the forces has, and the errors of
 ///   [`rescale`](crate::rescale) that are about values and shared spheres.
 /// - A factor that was applied already, by the note in the file ([`MissingFact::Repetition`]).
-pub fn set(model: &Model, selected: &Selected, wanted: &Set) -> Result<Plan, Fault> {
+pub fn set(model: &Model, selected: &Selected, wanted: &Set) -> Result<Plan> {
     let operation = wanted.operation();
     let relative = wanted.assignments.iter().any(|(_, value)| matches!(value, Assignment::Factor(_)));
     if relative && !wanted.repeat && is_assigned_already(model, wanted) {
@@ -182,7 +182,7 @@ impl Plan {
     ///
     /// # Errors
     /// A place that is not finite, or a sphere of an included file.
-    pub fn level(&mut self, model: &Model, places: &[(SphereId, [f64; 3])]) -> Result<(), Fault> {
+    pub fn level(&mut self, model: &Model, places: &[(SphereId, [f64; 3])]) -> Result<()> {
         if places.is_empty() {
             return Ok(());
         }

@@ -13,7 +13,7 @@ use osim_inspect::{
 use osim_model::files::{Failure, FileName, Files, OpenModel};
 use osim_model::messages::{Input, Phrase, phrase, readable};
 use osim_model::{CountedSpheres, Fault, GravityFor, MassRequest, MissingFact};
-use osim_requests::{Count, DropTestRequest, Kilograms, NotNegative, Positive, RequestError, RequestFault};
+use osim_requests::{Count, DropTestRequest, Kilograms, NotNegative, Positive, RequestFault, Result};
 
 use self::DropRow::{InOrder, Last, Nowhere};
 use self::FigureValue::{Always, Sometimes};
@@ -67,7 +67,7 @@ struct BodyOptions {
 ///
 /// # Errors
 /// Numbers that are missing or contradict a model, a model that cannot be read, or a drop that cannot be followed.
-pub fn run_drop_test(request: &DropTestRequest, files: &dyn Files) -> Result<DropResult, RequestError> {
+pub fn run_drop_test(request: &DropTestRequest, files: &dyn Files) -> Result<DropResult> {
     let prepared_drop = drop_of_subject(request, files)?;
     let named = |path: &PathBuf| drop_of_named(request, path, &options_for_compared(request), files);
     let other = request.compare.as_ref().map(named).transpose()?;
@@ -116,7 +116,7 @@ fn options_for_compared(request: &DropTestRequest) -> BodyOptions {
 }
 
 /// Prepares the body that the request names: a model, a preset, or a body given by numbers.
-fn drop_of_subject(request: &DropTestRequest, files: &dyn Files) -> Result<PreparedDrop, RequestError> {
+fn drop_of_subject(request: &DropTestRequest, files: &dyn Files) -> Result<PreparedDrop> {
     let Some(path) = &request.subject else { return Ok(drop_of_numbers(request)?) };
     let given = request.numbers.given_inputs();
     if !given.is_empty() {
@@ -132,7 +132,7 @@ fn drop_of_named(
     path: &Path,
     own: &BodyOptions,
     files: &dyn Files,
-) -> Result<PreparedDrop, RequestError> {
+) -> Result<PreparedDrop> {
     match ModelOrPreset::find(path, request.presets.as_deref(), &request.set_files, files)? {
         ModelOrPreset::Preset(preset) => Ok(drop_of_preset(request, &preset, own)?),
         ModelOrPreset::Model(open) => {

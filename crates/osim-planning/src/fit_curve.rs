@@ -6,7 +6,7 @@ use contact_scaling::fit::{Fit, FitError, FitValues, Measurement, Rate, fit};
 use osim_model::files::{Failure, Files};
 use osim_model::messages::{Input, four_significant, phrase};
 use osim_model::{Suspicion, YesQuestion};
-use osim_requests::{ColumnOptions, FitRequest, LengthUnit, RequestError, RequestFault};
+use osim_requests::{ColumnOptions, FitRequest, LengthUnit, RequestFault, Result};
 
 use crate::calculator::require_plausible_radius;
 use crate::sheet::Sheet;
@@ -32,7 +32,7 @@ pub struct FitResult {
 ///
 /// # Errors
 /// Columns or cells that cannot be read, or values that cannot be fitted.
-pub fn run_fit(request: &FitRequest, files: &dyn Files) -> Result<FitResult, RequestError> {
+pub fn run_fit(request: &FitRequest, files: &dyn Files) -> Result<FitResult> {
     let file = request.file.clone().ok_or(RequestFault::Missing { field: "file" })?;
     let radius = request.radius.ok_or(RequestFault::Missing { field: "radius" })?;
     let (sphere_count, radius_m) = (request.spheres.get(), radius.get());

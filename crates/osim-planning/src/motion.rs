@@ -11,7 +11,7 @@ use osim_motion::{
     AngleUnit, Belt, ContactStates, ExternalLoads, Foot, Gap, MeasuredForces, MotionFault, Plate,
     PressureOnSole, Recording, RecordingOptions, StatesError, Summary, Table,
 };
-use osim_requests::{AngleChoice, MotionRequest, Positive, RequestError, RequestFault, Signed};
+use osim_requests::{AngleChoice, MotionRequest, Positive, RequestFault, Result, Signed};
 
 use crate::motion_consistency::{Consistency, correction_options};
 use crate::opening::{open_with, read};
@@ -54,7 +54,7 @@ const MOST_FLOOR_UP_M: f64 = 1.0;
 ///
 /// # Errors
 /// A file that cannot be read, a motion of another model, or a model whose pose is not known.
-pub fn run_motion(request: &MotionRequest, files: &dyn Files) -> Result<MotionResult, RequestError> {
+pub fn run_motion(request: &MotionRequest, files: &dyn Files) -> Result<MotionResult> {
     let subject = request.subject.as_ref().ok_or(RequestFault::Missing { field: "subject" })?;
     let opened = open_with(subject, request.set_files.companion_paths(), files)?;
     run_opened(request, opened, files)
@@ -65,7 +65,7 @@ pub(crate) fn run_opened(
     request: &MotionRequest,
     opened: OpenModel,
     files: &dyn Files,
-) -> Result<MotionResult, RequestError> {
+) -> Result<MotionResult> {
     let Some(motion) = &request.motion else { return Err(RequestFault::Missing { field: "motion" }.into()) };
     if request.floor.is_some_and(|up| up.get().abs() > MOST_FLOOR_UP_M) {
         let why = phrase![Input::Floor, " is in metres, and at most 1: is it in mm?"];

@@ -12,7 +12,7 @@ use osim_motion::{
     SphereSummary, Summary, TOUCH_DOWN_BW,
 };
 use osim_requests::options::InspectionOptions;
-use osim_requests::{CheckRequest, MotionRequest, RequestError};
+use osim_requests::{CheckRequest, MotionRequest, RequestError, Result};
 
 use crate::motion::FASTEST_STANDING_FOOT_M_S;
 use crate::motion_consistency::{
@@ -281,11 +281,7 @@ impl CheckedMotion {
     }
 
     /// Computes the contacts of the model at `path` along the recording.
-    pub(crate) fn follow(
-        &self,
-        path: &Path,
-        files: &dyn Files,
-    ) -> Result<(MotionResult, Vec<MotionRemark>), RequestError> {
+    pub(crate) fn follow(&self, path: &Path, files: &dyn Files) -> Result<(MotionResult, Vec<MotionRemark>)> {
         let request = MotionRequest { subject: Some(path.to_owned()), ..self.0.clone() };
         let result = run_motion(&request, files)?;
         let remarks = result.remarks_without_options(&request);

@@ -7,7 +7,7 @@ use osim_model::{Fault, FileId, Force, ForceKind, Model};
 use osim_motion::correct::flat_feet;
 use osim_patch::{Edit, splice};
 use osim_requests::options::ClassChoice;
-use osim_requests::{ConvertRequest, MotionRequest, RequestError, RequestFault};
+use osim_requests::{ConvertRequest, MotionRequest, RequestFault, Result};
 
 use crate::motion::run_opened;
 use crate::opening::open_with;
@@ -34,11 +34,7 @@ impl NextModels {
     ///
     /// # Errors
     /// Contacts that cannot become smooth.
-    pub fn new(
-        request: &MotionRequest,
-        result: &MotionResult,
-        files: &dyn Files,
-    ) -> Result<Self, RequestError> {
+    pub fn new(request: &MotionRequest, result: &MotionResult, files: &dyn Files) -> Result<Self> {
         let mut models = Self::default();
         let opened = &result.opened;
         if result.correction().is_none() {
@@ -59,11 +55,7 @@ impl NextModels {
 
 impl MocoStart {
     /// The start for Moco that `request` wants; `None` if it wants none.
-    fn new(
-        request: &MotionRequest,
-        result: &MotionResult,
-        files: &dyn Files,
-    ) -> Result<Option<Self>, RequestError> {
+    fn new(request: &MotionRequest, result: &MotionResult, files: &dyn Files) -> Result<Option<Self>> {
         let is_smooth = |force: &Force| !force.applies || force.kind == ForceKind::SmoothSphereHalfSpace;
         let smooth = match result.opened.model.forces().iter().all(is_smooth) {
             true => None,
@@ -81,7 +73,7 @@ impl MocoStart {
 }
 
 /// The result of `request` for the model with smooth contacts, which press a little more than the contacts that they were converted from.
-fn with_smooth_contacts(request: &MotionRequest, files: &dyn Files) -> Result<MotionResult, RequestError> {
+fn with_smooth_contacts(request: &MotionRequest, files: &dyn Files) -> Result<MotionResult> {
     let subject = request.subject.as_ref().ok_or(RequestFault::Missing { field: "subject" })?;
     let convert = ConvertRequest {
         models: vec![subject.clone()],

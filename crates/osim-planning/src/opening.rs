@@ -9,7 +9,7 @@ use osim_model::messages::{Input, phrase};
 use osim_model::{Document, FileId, LineIndex, nearest_names};
 use osim_patch::{preset_model, presets_with_places};
 use osim_requests::options::SetFiles;
-use osim_requests::{PresetsRequest, RequestError, RequestFault};
+use osim_requests::{PresetsRequest, RequestFault, Result};
 use serde::Deserialize;
 use toml::Spanned;
 
@@ -77,7 +77,7 @@ impl NamedSource {
         input: Option<Input>,
         presets: Option<&Path>,
         files: &dyn Files,
-    ) -> Result<Self, RequestError> {
+    ) -> Result<Self> {
         if let Some(preset) = find_preset(word, presets, files)? {
             return Ok(Self::Preset(preset));
         }
@@ -158,7 +158,7 @@ impl ModelOrPreset {
         presets: Option<&Path>,
         set_files: &SetFiles,
         files: &dyn Files,
-    ) -> Result<Self, RequestError> {
+    ) -> Result<Self> {
         Ok(match NamedSource::find(path, None, presets, files)? {
             NamedSource::Preset(preset) => Self::Preset(preset),
             NamedSource::PlacedPreset(open) => Self::Model(open),

@@ -10,7 +10,7 @@ use osim_model::feet::{AttachedBones, DefaultPose, FeetFault, Foot, FootBodies, 
 use osim_model::files::{Failure, Files, OpenModel};
 use osim_model::messages::{Input, phrase, readable};
 use osim_model::{Anatomy, Fault, Finding, ForceId, MassRequest, Model, Selection, SphereId};
-use osim_requests::{HeatOptions, MotionRequest, PlotRequest, RequestError, RequestFault};
+use osim_requests::{HeatOptions, MotionRequest, PlotRequest, RequestFault, Result};
 
 use crate::motion::{MotionResult, run_motion};
 use crate::opening::ModelOrPreset;
@@ -21,7 +21,7 @@ use crate::sheet::Sheet;
 ///
 /// # Errors
 /// A preset, which has no places, too many models, or a model that cannot be read or has no feet.
-pub fn plot_feet(request: &PlotRequest, files: &dyn Files) -> Result<Vec<ModelFeet>, RequestError> {
+pub fn plot_feet(request: &PlotRequest, files: &dyn Files) -> Result<Vec<ModelFeet>> {
     let states = request.models.len() + usize::from(request.target_mass.is_some());
     if states > 2 {
         return Err(RequestFault::general(phrase![
@@ -44,7 +44,7 @@ fn feet_and_scaled_feet(
     request: &PlotRequest,
     path: &Path,
     files: &dyn Files,
-) -> Result<(ModelFeet, Option<ModelFeet>), RequestError> {
+) -> Result<(ModelFeet, Option<ModelFeet>)> {
     let open = match ModelOrPreset::find(path, request.presets.as_deref(), &request.set_files, files)? {
         ModelOrPreset::Model(open) => open,
         ModelOrPreset::Preset(preset) => {
@@ -74,7 +74,7 @@ fn feet_and_scaled_feet(
 ///
 /// # Errors
 /// More than one model, or none; a recording that cannot be read.
-pub fn plot_motion(request: &PlotRequest, files: &dyn Files) -> Result<MotionResult, RequestError> {
+pub fn plot_motion(request: &PlotRequest, files: &dyn Files) -> Result<MotionResult> {
     let [model] = request.models.as_slice() else {
         return Err(RequestFault::general("a figure of motion shows one model: name it alone").into());
     };
@@ -96,7 +96,7 @@ pub fn plot_motion(request: &PlotRequest, files: &dyn Files) -> Result<MotionRes
 ///
 /// # Errors
 /// A name that is neither a model's nor a preset's, or a model that cannot be read.
-pub fn plot_bodies(request: &PlotRequest, files: &dyn Files) -> Result<Vec<ContactBody>, RequestError> {
+pub fn plot_bodies(request: &PlotRequest, files: &dyn Files) -> Result<Vec<ContactBody>> {
     let mut bodies = Vec::new();
     for path in &request.models {
         let body = plotted_body(request, path, &unique_name(request, path), files)?;
@@ -119,12 +119,7 @@ fn unique_name(request: &PlotRequest, path: &Path) -> String {
 }
 
 /// The contacts to plot as `name`: those of the model at `path`, or a preset.
-fn plotted_body(
-    request: &PlotRequest,
-    path: &Path,
-    name: &str,
-    files: &dyn Files,
-) -> Result<ContactBody, RequestError> {
+fn plotted_body(request: &PlotRequest, path: &Path, name: &str, files: &dyn Files) -> Result<ContactBody> {
     let masses = request.masses.request();
     let stance = Stance::from(&request.counts.stance_options(None, request.gravity));
     match ModelOrPreset::find(path, request.presets.as_deref(), &request.set_files, files)? {

@@ -93,6 +93,9 @@ pub enum RequestError {
     Failure(Failure),
 }
 
+/// What a request gives, or why it cannot be started.
+pub type Result<T, E = RequestError> = std::result::Result<T, E>;
+
 impl From<RequestFault> for RequestError {
     fn from(fault: RequestFault) -> Self {
         Self::Fault(fault)

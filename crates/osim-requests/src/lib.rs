@@ -30,7 +30,7 @@ mod schema;
 pub mod spell;
 pub mod values;
 
-pub use crate::fault::{Relation, RequestError, RequestFault};
+pub use crate::fault::{Relation, RequestError, RequestFault, Result};
 pub use crate::request::*;
 #[cfg(feature = "schemas")]
 pub use crate::schema::schema_of;

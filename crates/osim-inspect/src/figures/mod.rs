@@ -12,7 +12,7 @@ use foldhash::{HashMap, HashMapExt};
 use osim_model::feet::{DefaultPose, RestLaw, Standing};
 use osim_model::messages::Phrase;
 use osim_model::{
-    CountedSpheres, Fault, ForceId, GravityFor, Limbs, Mass, MissingFact, Model, Selected, SphereId,
+    CountedSpheres, ForceId, GravityFor, Limbs, Mass, MissingFact, Model, Result, Selected, SphereId,
     loaded_round_spheres, loaded_spheres,
 };
 
@@ -37,7 +37,7 @@ impl Figures {
         mass: Option<&Mass>,
         stance: &Stance,
         standing: &[Standing],
-    ) -> Result<Self, Fault> {
+    ) -> Result<Self> {
         let loads = contacts_by_sphere(&loaded_round_spheres(model, &selected.forces)?)?;
         // If a sphere that was not chosen cannot be read, or is an ellipsoid, level figures are not known.
         let all = loaded_spheres(model, &sharing.forces).and_then(|all| contacts_by_sphere(&all)).ok();

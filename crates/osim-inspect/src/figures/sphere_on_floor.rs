@@ -2,7 +2,7 @@
 
 use contact_scaling::{Contact, DomainError, Law, SharedLoad, SmoothingValues, Spheres};
 use foldhash::{HashMap, HashMapExt};
-use osim_model::{Fault, ForceId, LoadedSphere, SphereId};
+use osim_model::{Fault, ForceId, LoadedSphere, Result, SphereId};
 
 /// The value of a figure, or the reason why the figure has no value.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -149,7 +149,7 @@ impl SphereContacts {
 }
 
 /// Contacts grouped by sphere, in the order of the model's spheres.
-pub(super) fn contacts_by_sphere(loaded: &[LoadedSphere]) -> Result<Vec<SphereContacts>, Fault> {
+pub(super) fn contacts_by_sphere(loaded: &[LoadedSphere]) -> Result<Vec<SphereContacts>> {
     let mut all: Vec<SphereContacts> = Vec::new();
     let mut places: HashMap<SphereId, usize> = HashMap::new();
     for one in loaded {

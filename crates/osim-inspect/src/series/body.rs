@@ -8,8 +8,8 @@ use contact_scaling::{
 use osim_model::files::{Failure, OpenModel};
 use osim_model::messages::readable;
 use osim_model::{
-    CountedSpheres, Fault, ForceId, GravityFor, MassRequest, MissingFact, Model, Selection, loaded_spheres,
-    short_digest,
+    CountedSpheres, Fault, ForceId, GravityFor, MassRequest, MissingFact, Model, Result, Selection,
+    loaded_spheres, short_digest,
 };
 
 use crate::figures::Figures;
@@ -201,7 +201,7 @@ fn scaled_spheres(
 }
 
 /// The kinds of spheres that the forces press, in the order of the file.
-fn sphere_kinds(model: &Model, forces: &[ForceId]) -> Result<Vec<SphereKind>, Fault> {
+fn sphere_kinds(model: &Model, forces: &[ForceId]) -> Result<Vec<SphereKind>> {
     let mut kinds: Vec<(SphereKind, Vec<String>)> = Vec::new();
     for loaded in loaded_spheres(model, forces)? {
         let name = model.sphere(loaded.sphere).map(|sphere| sphere.name.clone()).unwrap_or_default();
@@ -228,12 +228,7 @@ fn fault_of_no_force() -> Fault {
 }
 
 /// The weight of a body on the spheres that share it.
-fn weight(
-    model: &Model,
-    forces: &[ForceId],
-    masses: &MassRequest,
-    stance: &Stance,
-) -> Result<CarriedWeight, Fault> {
+fn weight(model: &Model, forces: &[ForceId], masses: &MassRequest, stance: &Stance) -> Result<CarriedWeight> {
     let mass_kg = masses.model_mass(model)?.kg;
     let sharing = LoadSharing::of(model, forces);
     let sphere_count = sharing.count(stance.spheres, stance.limb_count(model), CountedSpheres::Model)?;
@@ -248,7 +243,7 @@ fn weight(
 
 /// The chosen spheres, each with the number of the `count` spheres that it represents: 1/2 if one of two limbs carries the body. If only
 /// some spheres are chosen, all `count` spheres are assumed to be like these.
-pub fn standing_spheres(model: &Model, forces: &[ForceId], count: f64) -> Result<Vec<Spheres>, Fault> {
+pub fn standing_spheres(model: &Model, forces: &[ForceId], count: f64) -> Result<Vec<Spheres>> {
     let loaded = loaded_spheres(model, forces)?;
     let chosen = model.loaded_spheres(forces).len() as f64;
     if loaded.is_empty() {

@@ -19,7 +19,7 @@ use std::path::Path;
 use osim_model::messages::{Input, phrase};
 use osim_requests::options::RunOptions;
 
-use crate::fault::LibraryFault;
+use crate::fault::{LibraryFault, Result};
 use crate::run::model_job::{ModelJob, RunContext};
 use crate::run::resume::PreviousRun;
 use crate::run::summary::SummaryWriter;
@@ -48,7 +48,7 @@ impl<'r> Run<'r> {
     ///
     /// # Errors
     /// A file would be written that is also read, or that is written for another model.
-    pub fn new(mut request: RunRequest, run: &'r RunOptions) -> Result<Self, LibraryFault> {
+    pub fn new(mut request: RunRequest, run: &'r RunOptions) -> Result<Self> {
         request.check_paths(run)?;
         if let Some(shard) = run.shard {
             request.tasks.retain(|task| match task.row {
@@ -63,7 +63,7 @@ impl<'r> Run<'r> {
     }
 
     /// Reads the summary of an earlier run, if this run resumes it.
-    pub fn read_previous(&mut self) -> Result<(), LibraryFault> {
+    pub fn read_previous(&mut self) -> Result<()> {
         // All rows of a table have the same columns. They are not known if the shard has no row.
         let column_names =
             |task: &Task| task.user_columns.iter().map(|(name, _)| name.clone()).collect::<Vec<_>>();
@@ -81,7 +81,7 @@ impl<'r> Run<'r> {
     ///
     /// # Errors
     /// Several results exist already; or the summary cannot be written, or exists already.
-    pub fn begin(&mut self) -> Result<(), LibraryFault> {
+    pub fn begin(&mut self) -> Result<()> {
         self.refuse_existing_results()?;
         self.context.summary = SummaryWriter::begin(self.context.run, self.request.force)?;
         // Another run that wrote the same summary may have ended since it was read.
@@ -95,7 +95,7 @@ impl<'r> Run<'r> {
     }
 
     /// Refuses the whole run if several of its results exist already and may not be replaced.
-    fn refuse_existing_results(&self) -> Result<(), LibraryFault> {
+    fn refuse_existing_results(&self) -> Result<()> {
         let RunOptions { dry_run, resume, .. } = *self.context.run;
         let is_new =
             |task: &&Task| matches!(task.destination, ResultDestination::File(_)) && !task.settings.force;
@@ -128,7 +128,7 @@ impl<'r> Run<'r> {
         &self,
         front_end: &F,
         mut report: impl FnMut(&Task, ModelOutcome<F::Shown>),
-    ) -> Result<OutcomeCounts, LibraryFault> {
+    ) -> Result<OutcomeCounts> {
         let tasks = &self.request.tasks;
         let indices: Vec<usize> = (0..tasks.len()).collect();
         let mut counts = OutcomeCounts { failed: self.request.failures.len(), ..OutcomeCounts::default() };
@@ -163,7 +163,7 @@ impl<'r> Run<'r> {
     }
 
     /// Completes the summary, if the options name one.
-    pub fn finish(self) -> Result<(), LibraryFault> {
+    pub fn finish(self) -> Result<()> {
         let RunContext { summary, previous, .. } = self.context;
         summary.map_or(Ok(()), |summary| summary.finish(previous, &self.request.tasks))
     }

@@ -22,7 +22,7 @@ use crate::run::{
     ChangedModel, ModelDetail, Record, ResultDestination, RunFrontEnd, RunRequest, Status, Task,
 };
 use crate::write::{OutputFolders, WriteMode, hard_link_finding};
-use crate::{Disk, LibraryFault, LoadedModel, ModelOrigin, ModelSource};
+use crate::{Disk, LibraryFault, LoadedModel, ModelOrigin, ModelSource, Result};
 
 /// Data that all models of a run share.
 pub(super) struct RunContext<'r> {
@@ -287,7 +287,7 @@ impl<F: RunFrontEnd> ModelJob<'_, F> {
         results: &ResultBytes<'_>,
         force: bool,
         record: &mut Record,
-    ) -> Result<WrittenOutput, LibraryFault> {
+    ) -> Result<WrittenOutput> {
         if self.context.run.dry_run {
             record.status = Status::DryRun;
             self.context.previous.keep_digests(record);
@@ -405,7 +405,7 @@ impl PlannedModel {
     /// # Errors
     /// The output is standard output or one of the inputs; a file exists that may not be replaced; the change is in place, and the model
     /// changed since it was planned; or the disk refuses. Nothing is written in these cases.
-    pub fn write(&self, output: &OutputOptions) -> Result<(WrittenOutput, Vec<String>), LibraryFault> {
+    pub fn write(&self, output: &OutputOptions) -> Result<(WrittenOutput, Vec<String>)> {
         let task = self.task_for(output);
         if task.destination == ResultDestination::Stdout {
             return Err(LibraryFault::new(phrase![
@@ -443,7 +443,7 @@ impl PlannedModel {
     }
 
     /// Refuses a change in place of a model whose file changed after the change was planned.
-    fn check_unchanged(&self) -> Result<(), LibraryFault> {
+    fn check_unchanged(&self) -> Result<()> {
         if self.is_from_memory() && !self.source.path.exists() {
             return Err(LibraryFault::new(phrase![
                 "this model came from memory, and has no file that could be changed: name a new one with ",

@@ -13,7 +13,7 @@ use osim_requests::spell::Speller;
 
 use crate::run::task::{JobSettings, PathConflicts, PathOwner, Task};
 use crate::run::{Record, ResultBytes, WrittenOutput};
-use crate::{LibraryFault, ModelSource, Sources, folder_of, require_folder_of};
+use crate::{LibraryFault, ModelSource, Result, Sources, folder_of, require_folder_of};
 
 /// A request for one run: its tasks, and the models that could not be listed.
 pub struct RunRequest {
@@ -53,7 +53,7 @@ impl RunRequest {
     ///
     /// # Errors
     /// An option makes sense for one model only, and there are several models.
-    pub fn for_change(mut change: PreparedChange, run: &RunOptions) -> Result<Self, LibraryFault> {
+    pub fn for_change(mut change: PreparedChange, run: &RunOptions) -> Result<Self> {
         let sources = Sources::find(&change.models, change.output.output_dir.as_deref());
         change.is_for_several = sources.models.len() > 1;
         let change = Arc::new(change);
@@ -77,7 +77,7 @@ impl RunRequest {
     }
 
     /// Refuses to write a file that is read, to write a file twice, or to write beside the results into a folder that is not there.
-    pub(super) fn check_paths(&self, run: &RunOptions) -> Result<(), LibraryFault> {
+    pub(super) fn check_paths(&self, run: &RunOptions) -> Result<()> {
         let mut conflicts = PathConflicts::default();
         self.extra_files.iter().for_each(|path| conflicts.add_input(path.as_path()));
         let mut checked_settings: Option<&Arc<JobSettings>> = None;
@@ -132,7 +132,7 @@ fn check_options(
     sources: &Sources,
     output: &OutputOptions,
     run: &RunOptions,
-) -> Result<(), LibraryFault> {
+) -> Result<()> {
     let from_stdin = named.iter().any(|path| path.as_os_str() == "-");
     let to_stdout = output.output.as_deref() == Some(Path::new("-"))
         || (from_stdin && output.output.is_none() && output.output_dir.is_none());

@@ -16,7 +16,7 @@ use crate::partial::PartialFile;
 use crate::paths::{Resolver, folder_of, resolved};
 use crate::run::summary_lines::{PreviousLines, SummaryFormat};
 use crate::run::{Record, Status, Task};
-use crate::{LibraryFault, file_access, sha256};
+use crate::{LibraryFault, Result, file_access, sha256};
 
 /// The lines that earlier runs wrote into a summary. Only the place of each line is kept, so that a million lines need little memory.
 #[derive(Default)]
@@ -59,7 +59,7 @@ impl PreviousRun {
     ///
     /// # Errors
     /// The file is not a summary of this program.
-    pub(super) fn read(options: &RunOptions, user_columns: Option<&[String]>) -> Result<Self, LibraryFault> {
+    pub(super) fn read(options: &RunOptions, user_columns: Option<&[String]>) -> Result<Self> {
         let mut done = Self::default();
         let Some(path) = options.summary.as_ref().filter(|_| options.resume) else { return Ok(done) };
         let format = SummaryFormat::of_path(path)?;
@@ -81,7 +81,7 @@ impl PreviousRun {
         format: SummaryFormat,
         may_end_in_a_line: bool,
         user_columns: Option<&[String]>,
-    ) -> Result<(), LibraryFault> {
+    ) -> Result<()> {
         let mut lines = PreviousLines::open(path, format, may_end_in_a_line)?;
         let file = self.files.len();
         let mut places = Vec::new();
@@ -114,7 +114,7 @@ impl PreviousRun {
     }
 
     /// The earlier records about the same file as the record `now`, the latest last.
-    fn records_of(&self, now: &Record) -> Result<Vec<Record>, LibraryFault> {
+    fn records_of(&self, now: &Record) -> Result<Vec<Record>> {
         let file = self.file_of_record(now);
         let hash = hash_of_path(&file);
         let start = self.places.partition_point(|place| place.hash < hash);
@@ -160,8 +160,8 @@ impl PreviousRun {
     pub(super) fn for_each_other_model(
         &self,
         tasks: &[Task],
-        mut each: impl FnMut(Record) -> Result<(), LibraryFault>,
-    ) -> Result<(), LibraryFault> {
+        mut each: impl FnMut(Record) -> Result<()>,
+    ) -> Result<()> {
         if self.is_empty() {
             return Ok(());
         }
@@ -182,12 +182,7 @@ impl PreviousRun {
     }
 
     /// Compares the earlier records about `task` with the present digest `input` of the model, the settings in `now`, and the outputs.
-    pub(super) fn compare(
-        &self,
-        task: &Task,
-        input: &str,
-        now: &Record,
-    ) -> Result<PreviousOutcome, LibraryFault> {
+    pub(super) fn compare(&self, task: &Task, input: &str, now: &Record) -> Result<PreviousOutcome> {
         let records = self.records_of(now)?;
         if records.is_empty() {
             return Ok(PreviousOutcome::Unknown);

@@ -15,7 +15,7 @@ use osim_requests::options::OutputOptions;
 use crate::run::request::RunRequest;
 use crate::run::summary_lines::summary_columns;
 use crate::run::task::{JobSettings, ResultDestination, Task};
-use crate::{LibraryFault, ModelSource, OrdinaryFiles, resolved};
+use crate::{LibraryFault, ModelSource, OrdinaryFiles, Result, resolved};
 
 /// The rows of a table after all of them were checked.
 pub enum CheckedRows {
@@ -35,7 +35,7 @@ impl<'r> RowReader<'r> {
     ///
     /// # Errors
     /// An option of the call makes sense for one model only.
-    pub fn new(request: &'r BatchRequest) -> Result<Self, LibraryFault> {
+    pub fn new(request: &'r BatchRequest) -> Result<Self> {
         if request.output.output.is_some() || request.output.geometry_output.is_some() {
             return Err(LibraryFault::new(phrase![
                 "{} is for one model: give the rows a column 'output', or write all into a folder with {}";
@@ -51,7 +51,7 @@ impl<'r> RowReader<'r> {
     ///
     /// # Errors
     /// The bytes are not a table with a column `model`, or the table has no rows.
-    pub fn read(&self, table: &[u8], name: &str, folder: &Path) -> Result<CheckedRows, LibraryFault> {
+    pub fn read(&self, table: &[u8], name: &str, folder: &Path) -> Result<CheckedRows> {
         let Self { request } = *self;
         // Paths are shown without `./` before them.
         let folder = if folder == Path::new(".") { Path::new("") } else { folder };

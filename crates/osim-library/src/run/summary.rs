@@ -12,7 +12,7 @@ use crate::paths::{folder_of, make_folder_of, relative_path, resolved};
 use crate::run::resume::PreviousRun;
 use crate::run::summary_lines::SummaryFormat;
 use crate::run::{Record, Task};
-use crate::{LibraryFault, PendingFile, WriteMode};
+use crate::{LibraryFault, PendingFile, Result, WriteMode};
 
 /// The summary of a run while it is written: a line for each model.
 pub(super) struct SummaryWriter {
@@ -36,7 +36,7 @@ struct OrderedLines {
 
 impl OrderedLines {
     /// Adds the line of the next model; before the first line, the header.
-    fn add_line(&mut self, format: SummaryFormat, record: &Record) -> Result<(), LibraryFault> {
+    fn add_line(&mut self, format: SummaryFormat, record: &Record) -> Result<()> {
         let line = format.record_line(record, self.user_columns.is_none())?;
         let names = || record.user_columns.iter().map(|(name, _)| name.clone()).collect();
         self.user_columns.get_or_insert_with(names);
@@ -49,7 +49,7 @@ impl SummaryWriter {
     ///
     /// # Errors
     /// The file exists, and the run neither resumes nor replaces it; or another run is writing it.
-    pub(super) fn begin(options: &RunOptions, force: bool) -> Result<Option<Self>, LibraryFault> {
+    pub(super) fn begin(options: &RunOptions, force: bool) -> Result<Option<Self>> {
         let Some(path) = &options.summary else { return Ok(None) };
         let format = SummaryFormat::of_path(path)?;
         make_folder_of(path)?;
@@ -82,7 +82,7 @@ impl SummaryWriter {
     }
 
     /// Writes the line of an output file that is complete and about to get its final name.
-    pub(super) fn about_to_finish(&self, record: &Record) -> Result<(), LibraryFault> {
+    pub(super) fn about_to_finish(&self, record: &Record) -> Result<()> {
         let mut partial = self.partial.lock().map_err(|_| LibraryFault::new("a thread ended early"))?;
         let line = self.format.record_line(&self.with_folder(record), partial.is_empty())?;
         partial.add_lines(&line)
@@ -102,7 +102,7 @@ impl SummaryWriter {
     }
 
     /// Adds a line of an earlier run about a model that is not in this run.
-    pub(super) fn add_earlier(&self, record: Record) -> Result<(), LibraryFault> {
+    pub(super) fn add_earlier(&self, record: Record) -> Result<()> {
         let mut summary = self.summary.lock().map_err(|_| LibraryFault::new("a thread ended early"))?;
         // The number of its row is that of another table; and every line of a table has the same columns.
         let mut kept = Record { row: None, ..record };
@@ -120,7 +120,7 @@ impl SummaryWriter {
     ///
     /// # Errors
     /// The summary could not be written. The partial summary stays.
-    pub(super) fn finish(self, previous: PreviousRun, tasks: &[Task]) -> Result<(), LibraryFault> {
+    pub(super) fn finish(self, previous: PreviousRun, tasks: &[Task]) -> Result<()> {
         let kept = previous.for_each_other_model(tasks, |record| self.add_earlier(record));
         // Windows cannot replace a file that is open.
         drop(previous);

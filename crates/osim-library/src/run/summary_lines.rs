@@ -8,7 +8,7 @@ use std::sync::Mutex;
 use osim_model::messages::{Input, phrase, shown};
 use osim_planning::{cell, from_cell};
 
-use crate::fault::{Context, LibraryFault, fault_of_error, fault_of_panic};
+use crate::fault::{Context, LibraryFault, Result, fault_of_error, fault_of_panic};
 use crate::file_access;
 use crate::partial::end_of_lines;
 use crate::run::record::{JsonRecord, Record};
@@ -22,7 +22,7 @@ pub(super) enum SummaryFormat {
 
 impl SummaryFormat {
     /// The format that the ending of the name means.
-    pub(super) fn of_path(path: &Path) -> Result<Self, LibraryFault> {
+    pub(super) fn of_path(path: &Path) -> Result<Self> {
         match path.extension().map(std::ffi::OsStr::to_ascii_lowercase) {
             Some(extension) if extension == "csv" => Ok(Self::Csv),
             Some(extension) if extension == "ndjson" || extension == "jsonl" => Ok(Self::Ndjson),
@@ -34,7 +34,7 @@ impl SummaryFormat {
     }
 
     /// A record as one line of a summary. In CSV the header precedes the `first` line.
-    pub(super) fn record_line(self, record: &Record, first: bool) -> Result<Vec<u8>, LibraryFault> {
+    pub(super) fn record_line(self, record: &Record, first: bool) -> Result<Vec<u8>> {
         if self == Self::Ndjson {
             let mut line = serde_json::to_vec(&JsonRecord::from(record.clone())).map_err(fault_of_error)?;
             line.push(b'\n');
@@ -50,7 +50,7 @@ impl SummaryFormat {
 ///
 /// # Errors
 /// None in practice, because the line is written into memory.
-pub(super) fn summary_columns() -> Result<csv::StringRecord, LibraryFault> {
+pub(super) fn summary_columns() -> Result<csv::StringRecord> {
     let line = SummaryFormat::Csv.record_line(&Record::default(), true)?;
     csv::Reader::from_reader(line.as_slice()).headers().map_err(fault_of_error).cloned()
 }
@@ -59,7 +59,7 @@ pub(super) fn summary_columns() -> Result<csv::StringRecord, LibraryFault> {
 ///
 /// # Errors
 /// As [`summary_columns`].
-fn header_line<'c>(user_columns: impl Iterator<Item = &'c str>) -> Result<Vec<u8>, LibraryFault> {
+fn header_line<'c>(user_columns: impl Iterator<Item = &'c str>) -> Result<Vec<u8>> {
     let mut columns = summary_columns()?;
     columns.extend(user_columns);
     let mut csv = csv::WriterBuilder::new().from_writer(Vec::new());
@@ -68,7 +68,7 @@ fn header_line<'c>(user_columns: impl Iterator<Item = &'c str>) -> Result<Vec<u8
 }
 
 /// Appends the user's own columns to the cells of a record, and of the header if `lines` has it.
-fn with_user_columns(lines: Vec<u8>, record: &Record) -> Result<Vec<u8>, LibraryFault> {
+fn with_user_columns(lines: Vec<u8>, record: &Record) -> Result<Vec<u8>> {
     if record.user_columns.is_empty() {
         return Ok(lines);
     }
@@ -100,11 +100,7 @@ impl PreviousLines {
     ///
     /// # Errors
     /// The file cannot be read, or its last line is incomplete although `may_end_in_a_line` is false.
-    pub(super) fn open(
-        path: &Path,
-        format: SummaryFormat,
-        may_end_in_a_line: bool,
-    ) -> Result<Self, LibraryFault> {
+    pub(super) fn open(path: &Path, format: SummaryFormat, may_end_in_a_line: bool) -> Result<Self> {
         let (mut file, length) = file_access::open_to_read(path).map_err(fault_of_error)?;
         let end = end_of_lines(&mut file, length).map_err(fault_of_error)?;
         if end < length && !may_end_in_a_line {
@@ -123,7 +119,7 @@ impl PreviousLines {
         &mut self,
         user_columns: Option<&[String]>,
         mut each: impl FnMut(u64, &Record),
-    ) -> Result<(), LibraryFault> {
+    ) -> Result<()> {
         let not_a_summary = || "this is not a summary of this tool, or it was edited";
         let mut header = csv::StringRecord::new();
         {
@@ -142,7 +138,7 @@ impl PreviousLines {
     }
 
     /// Reads the record whose line begins at `offset`.
-    pub(super) fn record_at(&self, offset: u64) -> Result<Record, LibraryFault> {
+    pub(super) fn record_at(&self, offset: u64) -> Result<Record> {
         let mut file = self.file.lock().map_err(|_| fault_of_panic())?;
         file.seek(SeekFrom::Start(offset)).map_err(fault_of_error)?;
         let mut lines = BufReader::new(&mut *file).take(self.end.saturating_sub(offset));
@@ -166,10 +162,7 @@ impl PreviousLines {
 }
 
 /// Calls `each` with every record of a summary in NDJSON, and the offset of its line.
-fn for_each_json_line(
-    mut lines: impl BufRead,
-    each: &mut impl FnMut(u64, &Record),
-) -> Result<(), LibraryFault> {
+fn for_each_json_line(mut lines: impl BufRead, each: &mut impl FnMut(u64, &Record)) -> Result<()> {
     let (mut offset, mut line) = (0, Vec::new());
     loop {
         line.clear();
@@ -190,7 +183,7 @@ fn for_each_row(
     mut lines: impl BufRead,
     user_columns: Option<&[String]>,
     each: &mut impl FnMut(u64, &Record),
-) -> Result<csv::StringRecord, LibraryFault> {
+) -> Result<csv::StringRecord> {
     let mut first = Vec::new();
     if lines.read_until(b'\n', &mut first).map_err(fault_of_error)? == 0 {
         return Ok(csv::StringRecord::new());
@@ -209,11 +202,7 @@ fn for_each_row(
 
 /// Refuses a table whose first line is not, byte for byte, a header of this version, or that has user columns which the new summary
 /// would lose.
-fn check_header(
-    header: &csv::StringRecord,
-    first: &[u8],
-    user_columns: Option<&[String]>,
-) -> Result<(), LibraryFault> {
+fn check_header(header: &csv::StringRecord, first: &[u8], user_columns: Option<&[String]>) -> Result<()> {
     let user_columns_of_file: Vec<&str> = header.iter().skip(summary_columns()?.len()).collect();
     if header_line(user_columns_of_file.iter().copied())? != first {
         return Err(LibraryFault::new("its first line differs from the one that this version writes"));

@@ -14,7 +14,7 @@ use osim_requests::options::OutputOptions;
 
 use crate::file_access::{NameDigest, digest_of_name, sha256};
 use crate::paths::Resolver;
-use crate::{LibraryFault, ModelSource, OrdinaryFiles};
+use crate::{LibraryFault, ModelSource, OrdinaryFiles, Result};
 
 /// One model of a run, with the settings for its change and the places of its results.
 pub struct Task {
@@ -178,7 +178,7 @@ impl<'p> PathConflicts<'p> {
     /// # Errors
     /// The file is also another model's output, or an input. Names that differ only in the letters' case count as equal, because
     /// Windows and macOS take them for one name.
-    pub fn add_output(&mut self, path: &Path, owner: impl Into<PathOwner<'p>>) -> Result<(), LibraryFault> {
+    pub fn add_output(&mut self, path: &Path, owner: impl Into<PathOwner<'p>>) -> Result<()> {
         let real = self.digest_without_case(path);
         let owner = owner.into();
         if let Some((input, _)) = self.inputs.get(&real) {
@@ -197,11 +197,7 @@ impl<'p> PathConflicts<'p> {
     ///
     /// # Errors
     /// The file is changed or read for another model, too.
-    pub(crate) fn add_changed_in_place(
-        &mut self,
-        path: &Path,
-        owner: PathOwner<'p>,
-    ) -> Result<(), LibraryFault> {
+    pub(crate) fn add_changed_in_place(&mut self, path: &Path, owner: PathOwner<'p>) -> Result<()> {
         let real = self.digest_without_case(path);
         if self.inputs.get(&real).is_some_and(|(_, models)| *models > 1) {
             return Err(LibraryFault::new(format!(
@@ -213,12 +209,7 @@ impl<'p> PathConflicts<'p> {
     }
 
     /// Adds a file that is written; refuses it if it is written for something else already.
-    fn add_output_once(
-        &mut self,
-        real: NameDigest,
-        path: &Path,
-        owner: PathOwner<'p>,
-    ) -> Result<(), LibraryFault> {
+    fn add_output_once(&mut self, real: NameDigest, path: &Path, owner: PathOwner<'p>) -> Result<()> {
         if let Some(other) = self.outputs.insert(real, owner) {
             return Err(LibraryFault::new(format!(
                 "{other} and {owner} would both be written to {}: give them different names or folders",

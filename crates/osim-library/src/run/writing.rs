@@ -9,7 +9,7 @@ use osim_patch::{Patch, Plan};
 
 use crate::run::task::{ResultDestination, Task};
 use crate::write::{ExchangedModel, PendingFile, ReplacementFile, WriteMode, prepare_backup};
-use crate::{LibraryFault, ModelOrigin, make_folder_of};
+use crate::{LibraryFault, ModelOrigin, Result, make_folder_of};
 
 /// The new bytes of the files that a planned change affects.
 pub struct ResultBytes<'m> {
@@ -108,7 +108,7 @@ impl<'w> PreparedFiles<'w> {
         origin: &'w ModelOrigin,
         results: &ResultBytes<'_>,
         mode: WriteMode,
-    ) -> Result<Self, LibraryFault> {
+    ) -> Result<Self> {
         let mut files = Self {
             task,
             opened,
@@ -130,13 +130,7 @@ impl<'w> PreparedFiles<'w> {
     }
 
     /// Prepares the new file at `path`, which is made from one of the model's files.
-    fn prepare_file(
-        &mut self,
-        path: &Path,
-        patch: &Patch<'_>,
-        file: FileId,
-        mode: WriteMode,
-    ) -> Result<(), LibraryFault> {
+    fn prepare_file(&mut self, path: &Path, patch: &Patch<'_>, file: FileId, mode: WriteMode) -> Result<()> {
         let settings = &self.task.settings;
         let mut backup_paths = None;
         if settings.in_place {
@@ -164,7 +158,7 @@ impl<'w> PreparedFiles<'w> {
     }
 
     /// Refuses to change a write-protected model in place without `force`.
-    fn refuse_write_protected(&self, path: &Path) -> Result<(), LibraryFault> {
+    fn refuse_write_protected(&self, path: &Path) -> Result<()> {
         let protected = std::fs::metadata(path).is_ok_and(|metadata| metadata.permissions().readonly());
         if protected && !self.task.settings.force {
             return Err(LibraryFault::new(phrase![
@@ -179,7 +173,7 @@ impl<'w> PreparedFiles<'w> {
     ///
     /// # Errors
     /// Another program changed the model in the meantime, or a folder cannot be changed.
-    pub(super) fn commit(self, results: &ResultBytes<'_>) -> Result<WrittenOutput, LibraryFault> {
+    pub(super) fn commit(self, results: &ResultBytes<'_>) -> Result<WrittenOutput> {
         // Bytes reach the disk before names change, if two files belong together or a file is replaced.
         let replacements = || self.replacements.iter().map(|(_, prepared)| prepared);
         if self.replacements.len() > 1 || replacements().any(PendingFile::replaces) {
@@ -217,7 +211,7 @@ impl<'w> PreparedFiles<'w> {
 }
 
 /// Exchanges all new files with the old files of the same names. If one exchange fails, the earlier exchanges are undone.
-fn exchange_all<'b>(replacements: impl Iterator<Item = ReplacementFile<'b>>) -> Result<(), LibraryFault> {
+fn exchange_all<'b>(replacements: impl Iterator<Item = ReplacementFile<'b>>) -> Result<()> {
     let mut done: Vec<ExchangedModel<'b>> = Vec::new();
     for replacement in replacements {
         match replacement.replace_model() {

@@ -15,7 +15,7 @@ use osim_model::files::{Failure, FileError, Files, ModelFiles};
 use osim_requests::options::SetFiles;
 use crate::paths::similar_file;
 
-use crate::fault::{Context, LibraryFault};
+use crate::fault::{Context, LibraryFault, Result};
 use crate::file_access::{self, FileKinds, sha256};
 use crate::folder_of;
 
@@ -213,7 +213,7 @@ impl ModelOrigin {
     ///
     /// # Errors
     /// The file was changed or removed since it was read.
-    pub(crate) fn refuse_if_changed(&self, file: FileId, path: &Path) -> Result<(), LibraryFault> {
+    pub(crate) fn refuse_if_changed(&self, file: FileId, path: &Path) -> Result<()> {
         let Some(then) = self.stamp_of(file) else { return Ok(()) };
         let gone = || format!("{} is no longer there, so nothing was written", path.display());
         let now = std::fs::metadata(path).context(gone)?;
@@ -235,7 +235,7 @@ impl ModelOrigin {
     ///
     /// # Errors
     /// The first included file that OpenSim would not find.
-    pub(crate) fn refuse_output_without_includes(&self, output: &Path) -> Result<(), LibraryFault> {
+    pub(crate) fn refuse_output_without_includes(&self, output: &Path) -> Result<()> {
         for file in &self.included {
             if !folder_of(output).join(file).is_file() {
                 return Err(LibraryFault::new(format!(

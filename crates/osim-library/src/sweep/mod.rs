@@ -14,7 +14,7 @@ use osim_requests::options::SetFiles;
 use osim_requests::{RequestError, RequestFault, SweepRequest, verb_takes};
 use osim_view::report::results::SweepRecord;
 
-use crate::fault::{Context, LibraryFault};
+use crate::fault::{Context, LibraryFault, Result};
 use crate::file_access::{self, sha256};
 use crate::partial::PartialFile;
 use crate::paths::{Resolver, resolved};
@@ -126,7 +126,7 @@ impl<'s> SweepRun<'s> {
         is_interrupted: impl Fn() -> bool + Sync,
         variant_done: impl Fn(bool) + Sync,
         mut report: impl FnMut(Option<Failure>),
-    ) -> Result<SweepEnd, LibraryFault> {
+    ) -> Result<SweepEnd> {
         let mut end = SweepEnd::default();
         if self.count() == 0 {
             // There are more shards than points.
@@ -152,7 +152,7 @@ impl<'s> SweepRun<'s> {
         };
         // The number of the first variant for each digest of contacts.
         let mut first_numbers: HashMap<String, usize> = HashMap::new();
-        let each = |_: &usize, made: VariantOutcome| -> Result<(), LibraryFault> {
+        let each = |_: &usize, made: VariantOutcome| -> Result<()> {
             match made {
                 VariantOutcome::Row { row, number, contacts, earlier, worse } => {
                     let first = *first_numbers.entry(contacts).or_insert(number);
@@ -187,7 +187,7 @@ impl<'s> SweepRun<'s> {
     }
 
     /// Refuses to begin if a variant or a table exists already and may not be replaced.
-    fn refuse_existing_files(&self, tables: &SweepTables<'_>) -> Result<(), LibraryFault> {
+    fn refuse_existing_files(&self, tables: &SweepTables<'_>) -> Result<()> {
         let names = self.plan.indices().map(|index| self.folder.join(self.plan.file_name(index)));
         let model = resolved(self.request.model.as_deref().unwrap_or(Path::new("")));
         let mut resolver = Resolver::default();
@@ -253,7 +253,7 @@ impl<'s> SweepRun<'s> {
         files: &WrittenFiles,
         name: &str,
         digest: &str,
-    ) -> Result<bool, LibraryFault> {
+    ) -> Result<bool> {
         self.origin.refuse_output_without_includes(path)?;
         let mode = self.mode_for_variant(path, bytes, |existing| files.was_written(name, existing))?;
         files.about_to_finish(name, digest)?;
@@ -267,7 +267,7 @@ impl<'s> SweepRun<'s> {
     }
 
     /// Writes the file of one variant.
-    fn write_file(&self, path: &Path, bytes: &[u8], mode: WriteMode) -> Result<(), LibraryFault> {
+    fn write_file(&self, path: &Path, bytes: &[u8], mode: WriteMode) -> Result<()> {
         let prepared = PendingFile::new(path, bytes, self.origin.stamp_of(FileId::MAIN), mode)?;
         if prepared.replaces() {
             prepared.sync()?;
@@ -281,8 +281,8 @@ impl<'s> SweepRun<'s> {
         &self,
         path: &Path,
         bytes: &[u8],
-        is_ours: impl Fn(&str) -> Result<bool, LibraryFault>,
-    ) -> Result<Option<WriteMode>, LibraryFault> {
+        is_ours: impl Fn(&str) -> Result<bool>,
+    ) -> Result<Option<WriteMode>> {
         if !self.request.resume {
             return Ok(Some(self.table_mode()));
         }

@@ -8,7 +8,7 @@ use std::sync::{Mutex, OnceLock};
 use osim_model::messages::{Input, phrase};
 use osim_planning::{SweepPlan, cell, from_cell};
 
-use crate::fault::{Context, LibraryFault, fault_of_error, fault_of_panic};
+use crate::fault::{Context, LibraryFault, Result, fault_of_error, fault_of_panic};
 use crate::file_access::{self, NameDigest, digest_of_name};
 use crate::partial::{PartialFile, end_of_lines};
 use crate::paths::make_folder_of;
@@ -69,7 +69,7 @@ impl<'p> SweepTables<'p> {
     ///
     /// # Errors
     /// Another run is writing a table that excludes this run.
-    pub(super) fn refuse_if_in_use(&self) -> Result<(), LibraryFault> {
+    pub(super) fn refuse_if_in_use(&self) -> Result<()> {
         let way_out = phrase!["wait until that has ended"];
         if self.is_part() {
             return PartialFile::refuse_if_in_use(&self.whole, &way_out);
@@ -78,7 +78,7 @@ impl<'p> SweepTables<'p> {
     }
 
     /// Removes the tables of parts after the table of all variants was written, except tables that another program saved.
-    fn remove_parts(&self) -> Result<(), LibraryFault> {
+    fn remove_parts(&self) -> Result<()> {
         let is_of_sweep = |part: &&Path| FileDigests::default().add(part, |_, _| Ok(())).is_ok();
         for part in self.replaced_tables().filter(is_of_sweep) {
             let partial = PartialFile::path_for(part);
@@ -103,7 +103,7 @@ pub(super) struct WrittenFiles<'t> {
     /// Files in the table of this run.
     files_of_run: FileDigests,
     /// Files in the tables of other runs, read when they are first needed.
-    files_of_others: OnceLock<Result<FileDigests, LibraryFault>>,
+    files_of_others: OnceLock<Result<FileDigests>>,
     partial: Mutex<PartialFile>,
 }
 
@@ -112,7 +112,7 @@ impl<'t> WrittenFiles<'t> {
     ///
     /// # Errors
     /// An existing file is not the table of a sweep, or another run is writing it.
-    pub(super) fn begin(tables: &'t SweepTables<'t>, resume: bool) -> Result<Self, LibraryFault> {
+    pub(super) fn begin(tables: &'t SweepTables<'t>, resume: bool) -> Result<Self> {
         let mut files_of_run = FileDigests::default();
         let mut only_in_table = Vec::new();
         if resume {
@@ -140,13 +140,13 @@ impl<'t> WrittenFiles<'t> {
     ///
     /// # Errors
     /// A table of another run is not the table of a sweep.
-    pub(super) fn was_written(&self, file: &str, sha256: &str) -> Result<bool, LibraryFault> {
+    pub(super) fn was_written(&self, file: &str, sha256: &str) -> Result<bool> {
         Ok(self.files_of_run.contains(file, sha256) || self.files_of_others()?.contains(file, sha256))
     }
 
     /// Files in the tables of other runs. The tables are read only if an existing file differs: otherwise a thousand jobs would read
     /// a million tables.
-    fn files_of_others(&self) -> Result<&FileDigests, LibraryFault> {
+    fn files_of_others(&self) -> Result<&FileDigests> {
         self.files_of_others
             .get_or_init(|| read_tables_of_others(self.tables))
             .as_ref()
@@ -157,7 +157,7 @@ impl<'t> WrittenFiles<'t> {
     ///
     /// # Errors
     /// The line cannot be written.
-    pub(super) fn about_to_finish(&self, file: &str, sha256: &str) -> Result<(), LibraryFault> {
+    pub(super) fn about_to_finish(&self, file: &str, sha256: &str) -> Result<()> {
         if self.files_of_run.contains(file, sha256) {
             return Ok(());
         }
@@ -167,7 +167,7 @@ impl<'t> WrittenFiles<'t> {
     }
 
     /// Ends the sweep. If `all` variants are made, removes the partial table and the tables of parts.
-    pub(super) fn finish(self, all: bool) -> Result<(), LibraryFault> {
+    pub(super) fn finish(self, all: bool) -> Result<()> {
         let partial = self.partial.into_inner().map_err(|_| fault_of_panic())?;
         if all {
             self.tables.remove_parts()?;
@@ -177,14 +177,14 @@ impl<'t> WrittenFiles<'t> {
 }
 
 /// Reads which files other runs of the sweep wrote.
-fn read_tables_of_others(tables: &SweepTables<'_>) -> Result<FileDigests, LibraryFault> {
+fn read_tables_of_others(tables: &SweepTables<'_>) -> Result<FileDigests> {
     let mut files_of_run = FileDigests::default();
     tables.tables_of_others().try_for_each(|table| files_of_run.add(table, |_, _| Ok(())))?;
     Ok(files_of_run)
 }
 
 /// Adds lines to a partial table, before the first line its header.
-fn add_partial_lines(partial: &mut PartialFile, lines: &[u8]) -> Result<(), LibraryFault> {
+fn add_partial_lines(partial: &mut PartialFile, lines: &[u8]) -> Result<()> {
     let mut whole = Vec::new();
     if partial.is_empty() {
         whole = csv_line(&FILE_COLUMNS.map(str::to_owned))?;
@@ -210,8 +210,8 @@ impl FileDigests {
     pub(super) fn add(
         &mut self,
         table: &Path,
-        mut only_in_table: impl FnMut(&str, &str) -> Result<(), LibraryFault>,
-    ) -> Result<(), LibraryFault> {
+        mut only_in_table: impl FnMut(&str, &str) -> Result<()>,
+    ) -> Result<()> {
         for_each_line(&PartialFile::path_for(table), true, |file, sha256| {
             self.0.insert(digest_of_file(file, sha256));
             Ok(())
@@ -238,8 +238,8 @@ fn digest_of_file(file: &str, sha256: &str) -> NameDigest {
 fn for_each_line(
     path: &Path,
     may_end_in_a_line: bool,
-    each: impl FnMut(&str, &str) -> Result<(), LibraryFault>,
-) -> Result<(), LibraryFault> {
+    each: impl FnMut(&str, &str) -> Result<()>,
+) -> Result<()> {
     if !path.exists() {
         return Ok(());
     }
@@ -257,8 +257,8 @@ fn for_each_line(
 fn read_lines(
     path: &Path,
     may_end_in_a_line: bool,
-    mut each: impl FnMut(&str, &str) -> Result<(), LibraryFault>,
-) -> Result<(), LibraryFault> {
+    mut each: impl FnMut(&str, &str) -> Result<()>,
+) -> Result<()> {
     let (mut file, length) = file_access::open_to_read(path).map_err(fault_of_error)?;
     let end = end_of_lines(&mut file, length).map_err(fault_of_error)?;
     if end < length && !may_end_in_a_line {
@@ -286,7 +286,7 @@ fn read_lines(
 /// # Errors
 /// The header is not, byte for byte, one that this program writes: another program saved the table, perhaps with columns that the new
 /// table would lose.
-fn file_and_digest_columns(first: &[u8]) -> Result<(usize, usize), LibraryFault> {
+fn file_and_digest_columns(first: &[u8]) -> Result<(usize, usize)> {
     let header = csv::Reader::from_reader(first).headers().map_err(fault_of_error)?.clone();
     let columns: Vec<String> = header.iter().map(str::to_owned).collect();
     let is_ours =
@@ -301,7 +301,7 @@ fn file_and_digest_columns(first: &[u8]) -> Result<(usize, usize), LibraryFault>
 }
 
 /// The cells as one line of CSV; no cell is a formula.
-pub(super) fn csv_line(cells: &[String]) -> Result<Vec<u8>, LibraryFault> {
+pub(super) fn csv_line(cells: &[String]) -> Result<Vec<u8>> {
     let mut writer = csv::Writer::from_writer(Vec::new());
     writer.write_record(cells.iter().map(|text| cell(text).into_owned())).map_err(fault_of_error)?;
     writer.into_inner().map_err(fault_of_error)

@@ -21,7 +21,7 @@ use crate::write::exchange::{
     self, EXCHANGE_IS_KNOWN, ExchangeOutcome, become_backup, exchange, has_bytes, keep_as_backup, link_count,
 };
 use crate::write::replace::{PendingFile, WriteMode, sync_folder_of};
-use crate::{LibraryFault, file_access, resolved};
+use crate::{LibraryFault, Result, file_access, resolved};
 
 /// How often a file that another program saves during an exchange is put back, before it is kept as a backup instead.
 const MOST_TRIES_TO_PUT_BACK: usize = 8;
@@ -74,7 +74,7 @@ impl<'b> ReplacementFile<'b> {
     ///
     /// # Errors
     /// The model was changed or removed by another program, so that nothing was written; or the folder cannot be changed.
-    pub(crate) fn replace_model(self) -> Result<ExchangedModel<'b>, LibraryFault> {
+    pub(crate) fn replace_model(self) -> Result<ExchangedModel<'b>> {
         let Self { prepared, read_bytes, written_bytes, backup } = self;
         let (mut replacement, target, shown) = prepared.into_parts();
         let cannot = |error: std::io::Error| {
@@ -108,7 +108,7 @@ impl<'b> ReplacementFile<'b> {
 
 impl ExchangedModel<'_> {
     /// Puts the displaced file back, if it does not have the bytes that were read.
-    fn keep_if_unchanged(self) -> Result<Self, LibraryFault> {
+    fn keep_if_unchanged(self) -> Result<Self> {
         if self.displaced.as_ref().is_some_and(|displaced| has_bytes(displaced.path(), &[self.read_bytes])) {
             sync_folder_of(&self.target);
             return Ok(self);

@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 use osim_model::Finding;
 use osim_planning::rules::compiled_model_beside;
 
-use crate::LibraryFault;
+use crate::Result;
 use crate::paths::{folder_of, resolved};
 
 pub(crate) use in_place::{ExchangedModel, ReplacementFile, hard_link_finding};
@@ -24,10 +24,7 @@ pub use replace::{PendingFile, WriteMode};
 ///
 /// # Errors
 /// A file exists and may not be replaced, or cannot be written.
-pub fn write_files<'f>(
-    files: impl IntoIterator<Item = (&'f Path, &'f [u8])>,
-    mode: WriteMode,
-) -> Result<(), LibraryFault> {
+pub fn write_files<'f>(files: impl IntoIterator<Item = (&'f Path, &'f [u8])>, mode: WriteMode) -> Result<()> {
     let pending = files.into_iter().map(|(path, bytes)| PendingFile::new(path, bytes, None, mode));
     let pending: Vec<PendingFile> = pending.collect::<Result<_, _>>()?;
     pending.into_iter().try_for_each(PendingFile::commit)

@@ -9,7 +9,7 @@ use osim_model::messages::{Input, phrase};
 use tempfile::NamedTempFile;
 
 use super::temporary;
-use crate::fault::{Context, LibraryFault};
+use crate::fault::{Context, LibraryFault, Result};
 use crate::{file_access, folder_of, resolved};
 
 /// A new file under its temporary name.
@@ -60,12 +60,7 @@ impl PendingFile {
     ///
     /// # Errors
     /// The target exists and may not be replaced, or the folder cannot be written.
-    pub fn new(
-        target: &Path,
-        bytes: &[u8],
-        like: Option<&Metadata>,
-        mode: WriteMode,
-    ) -> Result<Self, LibraryFault> {
+    pub fn new(target: &Path, bytes: &[u8], like: Option<&Metadata>, mode: WriteMode) -> Result<Self> {
         Self::with_parts(target, std::iter::once(bytes), like, mode)
     }
 
@@ -75,7 +70,7 @@ impl PendingFile {
         parts: impl Iterator<Item = &'p [u8]>,
         like: Option<&Metadata>,
         mode: WriteMode,
-    ) -> Result<Self, LibraryFault> {
+    ) -> Result<Self> {
         let mut prepared = Self::begin(target, like, mode)?;
         let mut slices: Vec<IoSlice<'_>> = parts.filter(|part| !part.is_empty()).map(IoSlice::new).collect();
         write_all(prepared.temporary.as_file_mut(), &mut slices).context(|| prepared.cannot_write())?;
@@ -83,7 +78,7 @@ impl PendingFile {
     }
 
     /// Begins an empty new file that will get the name `target`; `add_bytes` fills it.
-    pub fn begin(target: &Path, like: Option<&Metadata>, mode: WriteMode) -> Result<Self, LibraryFault> {
+    pub fn begin(target: &Path, like: Option<&Metadata>, mode: WriteMode) -> Result<Self> {
         let (target, shown) = (real_target(target)?, target.to_owned());
         let existing = std::fs::metadata(&target).ok();
         if existing.as_ref().is_some_and(Metadata::is_dir) {
@@ -128,7 +123,7 @@ impl PendingFile {
     ///
     /// # Errors
     /// The disk is full, or the folder was removed.
-    pub(crate) fn add_bytes(&mut self, bytes: &[u8]) -> Result<(), LibraryFault> {
+    pub(crate) fn add_bytes(&mut self, bytes: &[u8]) -> Result<()> {
         let written = self.temporary.write_all(bytes);
         written.context(|| self.cannot_write())
     }
@@ -148,7 +143,7 @@ impl PendingFile {
     }
 
     /// Waits until the bytes are on the disk.
-    pub fn sync(&self) -> Result<(), LibraryFault> {
+    pub fn sync(&self) -> Result<()> {
         self.temporary.as_file().sync_all().context(|| self.cannot_write())
     }
 
@@ -156,7 +151,7 @@ impl PendingFile {
     ///
     /// # Errors
     /// Another program made a file of this name in the meantime, which may not be replaced, or the folder cannot be changed.
-    pub fn commit(self) -> Result<(), LibraryFault> {
+    pub fn commit(self) -> Result<()> {
         // The system dates files by a clock that is some ms late: the file would seem older than a run that began just before.
         let _ = self.temporary.as_file().set_modified(SystemTime::now());
         let (target, shown) = (self.target, self.shown.display());
@@ -188,7 +183,7 @@ impl PendingFile {
 }
 
 /// The file that is replaced: if `target` is a symlink, the file that it leads to.
-fn real_target(target: &Path) -> Result<PathBuf, LibraryFault> {
+fn real_target(target: &Path) -> Result<PathBuf> {
     if !target.is_symlink() {
         return Ok(target.to_owned());
     }
@@ -261,10 +256,7 @@ fn keep_permissions(_file: &NamedTempFile, _like: Option<&Metadata>, _replaces: 
 
 /// Prepares a backup of `path`: `NAME.bak`, or `NAME.bak2` and so on if there are older backups. If a stopped run left a backup with
 /// the same bytes, this backup is used.
-pub(crate) fn prepare_backup(
-    path: &Path,
-    bytes: &[u8],
-) -> Result<(Option<PendingFile>, PathBuf), LibraryFault> {
+pub(crate) fn prepare_backup(path: &Path, bytes: &[u8]) -> Result<(Option<PendingFile>, PathBuf)> {
     let path = resolved(path);
     let metadata = std::fs::metadata(&path).ok();
     for backup in backup_names(&path) {

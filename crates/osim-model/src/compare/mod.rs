@@ -32,7 +32,7 @@ use glam::DVec3;
 
 use crate::messages::{Input, Phrase, Verb};
 use crate::model::{
-    Anatomy, AnatomySphere, Fault, LevelAxis, Model, Note, RadiusAxis, SphereId, Step, TextPosition,
+    Anatomy, AnatomySphere, Fault, LevelAxis, Model, Note, RadiusAxis, Result, SphereId, Step, TextPosition,
 };
 
 pub use follow::{
@@ -216,7 +216,7 @@ fn placed_spheres(
     original: &Anatomy,
     factors: &Factors,
     radius_ratio: Option<f64>,
-) -> Result<(Vec<PlacedSphere>, Vec<Phrase>, bool), Fault> {
+) -> Result<(Vec<PlacedSphere>, Vec<Phrase>, bool)> {
     let up = LevelAxis::of_gravity(model.gravity_m_s2);
     let (mut compared, mut suits_level) = (Vec::new(), true);
     for id in model.loaded_spheres(&model.force_ids()) {

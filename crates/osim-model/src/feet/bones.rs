@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use foldhash::HashMap;
 use glam::DVec3;
 
-use super::fault::FeetFault;
+use super::fault::{FeetFault, Result};
 use super::mesh::{MeshFault, MeshSurface, is_length, length, mesh_points, mesh_surface};
 use crate::messages::{shown, three_significant};
 use crate::model::files::Files;
@@ -57,12 +57,7 @@ impl<'m> AttachedBones<'m> {
     /// # Errors
     /// The body does not exist or has no mesh, or a mesh file is missing or broken. The error names the body, the mesh and the searched
     /// folders.
-    pub fn bones(
-        &self,
-        body: &str,
-        folders: &MeshFolders,
-        files: &dyn Files,
-    ) -> Result<Vec<Bone>, FeetFault> {
+    pub fn bones(&self, body: &str, folders: &MeshFolders, files: &dyn Files) -> Result<Vec<Bone>> {
         let Some(meshes) = self.attached.get(body) else {
             let bodies = self.model.bodies().iter().map(|known| known.name.clone()).collect();
             return Err(FeetFault::NoBody { body: body.to_owned(), bodies });
@@ -75,12 +70,7 @@ impl<'m> AttachedBones<'m> {
 }
 
 /// The bones of several bodies, in the order of `bodies`.
-pub fn bones(
-    model: &Model,
-    bodies: &[&str],
-    folders: &MeshFolders,
-    files: &dyn Files,
-) -> Result<Vec<Bone>, FeetFault> {
+pub fn bones(model: &Model, bodies: &[&str], folders: &MeshFolders, files: &dyn Files) -> Result<Vec<Bone>> {
     let attached = AttachedBones::of(model);
     let mut all = Vec::new();
     for body in bodies {
@@ -89,11 +79,7 @@ pub fn bones(
     Ok(all)
 }
 
-pub(crate) fn read_bone(
-    attached: &AttachedMesh,
-    folders: &MeshFolders,
-    files: &dyn Files,
-) -> Result<Bone, FeetFault> {
+pub(crate) fn read_bone(attached: &AttachedMesh, folders: &MeshFolders, files: &dyn Files) -> Result<Bone> {
     let (body, mesh) = (attached.body.clone(), attached.file.clone());
     let MeshFile { file, mirrored, bytes } = found_mesh_file(attached, folders, files)?;
     match mesh_points(&file.to_string_lossy(), &bytes) {
@@ -110,7 +96,7 @@ pub fn attached_surface(
     attached: &AttachedMesh,
     folders: &MeshFolders,
     files: &dyn Files,
-) -> Result<MeshSurface, FeetFault> {
+) -> Result<MeshSurface> {
     let MeshFile { file, mirrored, bytes } = found_mesh_file(attached, folders, files)?;
     let fault = |fault| FeetFault::Mesh {
         body: attached.body.clone(),
@@ -134,11 +120,7 @@ struct MeshFile {
     bytes: Vec<u8>,
 }
 
-fn found_mesh_file(
-    attached: &AttachedMesh,
-    folders: &MeshFolders,
-    files: &dyn Files,
-) -> Result<MeshFile, FeetFault> {
+fn found_mesh_file(attached: &AttachedMesh, folders: &MeshFolders, files: &dyn Files) -> Result<MeshFile> {
     let (body, mesh, factors) = (attached.body.clone(), attached.file.clone(), attached.factors);
     if factors.iter().any(|factor| !is_length(*factor) || *factor == 0.0) {
         return Err(FeetFault::Factors { body, mesh, factors });

@@ -7,6 +7,9 @@ use crate::messages::{Phrase, listed};
 use crate::model::Fault;
 use crate::model::files::FileError;
 
+/// What feet give, or why they cannot.
+pub(super) type Result<T, E = FeetFault> = std::result::Result<T, E>;
+
 /// Why bones cannot be read or spheres cannot be placed under a foot.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum FeetFault {

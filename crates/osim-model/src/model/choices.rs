@@ -7,7 +7,7 @@ use foldhash::{HashMap, HashMapExt};
 use crate::messages::{Input, listed, shortest};
 use crate::model::components::{Carrier, ComponentId};
 use crate::model::names_and_sides::{Pattern, any_pattern_matches};
-use crate::model::{Fault, FaultKind, Force, ForceId, ForcesOfAnimal, MissingFact, Model, Property};
+use crate::model::{Fault, FaultKind, Force, ForceId, ForcesOfAnimal, MissingFact, Model, Property, Result};
 
 /// The user's choice of forces, by name.
 ///
@@ -58,7 +58,7 @@ impl Selection {
     ///
     /// # Errors
     /// The model has no force, no force matches, or the forces belong to several animals and the caller made no choice.
-    pub fn apply(&self, model: &Model) -> Result<Selected, Fault> {
+    pub fn apply(&self, model: &Model) -> Result<Selected> {
         let explicit = !self.select.is_empty();
         let moves = |id| model.sphere(id).is_some_and(|sphere| !sphere.fixed);
         let candidates = match explicit {
@@ -73,7 +73,7 @@ impl Selection {
     }
 
     /// Applies the choice to all contact forces of `model`, whatever they connect: for changes that are the same for every animal.
-    pub fn apply_to_all(&self, model: &Model) -> Result<Selected, Fault> {
+    pub fn apply_to_all(&self, model: &Model) -> Result<Selected> {
         self.apply_among(model, &force_ids_where(model, |_| true))
     }
 
@@ -93,7 +93,7 @@ impl Selection {
     }
 
     /// Applies the choice to the forces in `candidates`. No question about several animals is asked, because the candidates are known.
-    pub fn apply_among(&self, model: &Model, candidates: &[ForceId]) -> Result<Selected, Fault> {
+    pub fn apply_among(&self, model: &Model, candidates: &[ForceId]) -> Result<Selected> {
         if candidates.is_empty() {
             return Err(no_contacts(model));
         }
@@ -166,7 +166,7 @@ fn no_contacts(model: &Model) -> Fault {
 }
 
 /// Asks the caller to choose forces if their bodies are joined only through ground, such as a player and a ball.
-fn refuse_several_trees(model: &Model, forces: &[ForceId]) -> Result<(), Fault> {
+fn refuse_several_trees(model: &Model, forces: &[ForceId]) -> Result<()> {
     let mut trees: Vec<(String, Vec<ForceId>)> = Vec::new();
     let mut by_name: HashMap<Cow<'_, str>, usize> = HashMap::new();
     for force in forces.iter().filter_map(|&id| model.force(id)) {

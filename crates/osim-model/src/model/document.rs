@@ -6,7 +6,7 @@ use std::sync::OnceLock;
 
 use foldhash::{HashMap, HashMapExt};
 
-use crate::model::{Class, Fault, FaultKind, Property, Value, ValueOrigin};
+use crate::model::{Class, Fault, FaultKind, Property, Result, Value, ValueOrigin};
 use crate::xml::opensim_text::{NumberFault, flag, number, trimmed, triple};
 use crate::xml::{ElementId, LineIndex, SyntaxError, TextPosition, Tree};
 
@@ -45,7 +45,7 @@ impl Document {
     ///
     /// # Errors
     /// The bytes are not one well-formed XML document or not an OpenSim document. The error has the place.
-    pub fn parse(bytes: impl Into<Vec<u8>>) -> Result<Self, Fault> {
+    pub fn parse(bytes: impl Into<Vec<u8>>) -> Result<Self> {
         let tree = Tree::scan(bytes)?;
         let (version, data_root) =
             version_and_data_root(&tree).map_err(|fault| fault.located(tree.bytes()))?;
@@ -224,7 +224,7 @@ impl Document {
     ///
     /// # Errors
     /// Another element or comment interrupts the text; OpenSim refuses such a text.
-    pub(crate) fn whole_text(&self, element: ElementId) -> Result<Cow<'_, str>, Fault> {
+    pub(crate) fn whole_text(&self, element: ElementId) -> Result<Cow<'_, str>> {
         self.tree.whole_text(element).ok_or_else(|| {
             let property = self.tree.name(element).to_owned();
             Fault::at_span(FaultKind::BrokenText { property }, self.tree.span(element))
@@ -232,7 +232,7 @@ impl Document {
     }
 
     /// The flag `tag` of `object` as OpenSim reads it, else the flag in `<defaults>`; `None` if neither is a flag.
-    pub fn flag(&self, object: ElementId, tag: &str) -> Result<Option<bool>, Fault> {
+    pub fn flag(&self, object: ElementId, tag: &str) -> Result<Option<bool>> {
         self.first_readable(object, tag, |element| Ok(flag(&self.whole_text(element)?)))
     }
 
@@ -242,7 +242,7 @@ impl Document {
         self.whole_triple(object, tag).ok()?
     }
 
-    pub(crate) fn whole_triple(&self, object: ElementId, tag: &str) -> Result<Option<[f64; 3]>, Fault> {
+    pub(crate) fn whole_triple(&self, object: ElementId, tag: &str) -> Result<Option<[f64; 3]>> {
         self.first_readable(object, tag, |element| Ok(triple(&self.whole_text(element)?)))
     }
 
@@ -251,8 +251,8 @@ impl Document {
         &self,
         object: ElementId,
         tag: &str,
-        read: impl Fn(ElementId) -> Result<Option<T>, Fault>,
-    ) -> Result<Option<T>, Fault> {
+        read: impl Fn(ElementId) -> Result<Option<T>>,
+    ) -> Result<Option<T>> {
         let own_value = self.tree.child(object, tag).map(&read).transpose()?.flatten();
         if own_value.is_some() {
             return Ok(own_value);
@@ -290,7 +290,7 @@ impl From<SyntaxError> for Fault {
     }
 }
 
-fn version_and_data_root(tree: &Tree) -> Result<(u32, ElementId), Fault> {
+fn version_and_data_root(tree: &Tree) -> Result<(u32, ElementId)> {
     let root = ElementId::ROOT;
     if tree.name(root) != "OpenSimDocument" {
         let kind = FaultKind::NotOpenSim { root: tree.name(root).to_owned() };

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use crate::messages::{Input, Phrase, phrase, readable};
 use crate::model::fault::{
-    Fault, FaultKind, MassMistake, MassesOfOtherRows, MissingFact, POUND_KG, Suspicion,
+    Fault, FaultKind, MassMistake, MassesOfOtherRows, MissingFact, POUND_KG, Result, Suspicion,
 };
 use crate::model::names_and_sides::{Pattern, any_pattern_matches};
 use crate::model::rules::{self, MassFromSource};
@@ -136,7 +136,7 @@ impl MassRequest {
     ///
     /// # Errors
     /// A body has no mass, there is no body, the sum is not above 0, or joints form a loop in which OpenSim counts a body twice.
-    pub fn model_mass(&self, model: &Model) -> Result<Mass, Fault> {
+    pub fn model_mass(&self, model: &Model) -> Result<Mass> {
         if let Some(kg) = self.model_kg {
             return Ok(Mass { kg: positive_mass(Input::Mass, kg)?, source: MassSource::Mass });
         }
@@ -162,7 +162,7 @@ impl MassRequest {
     ///
     /// # Errors
     /// The note no longer fits the file, or an error of [`MassRequest::model_mass`].
-    pub fn contacts_mass(&self, model: &Model) -> Result<(Mass, Vec<Finding>), Fault> {
+    pub fn contacts_mass(&self, model: &Model) -> Result<(Mass, Vec<Finding>)> {
         let noted_kg = model.note.as_ref().and_then(|note| note.contacts_mass_kg);
         let mass = if let Some(kg) = self.contacts_mass_kg {
             Mass { kg: positive_mass(Input::ContactsMass, kg)?, source: MassSource::ContactsMass }
@@ -245,7 +245,7 @@ pub fn are_equal_gravities(noted: f64, own: f64) -> bool {
 }
 
 /// Checks that `kg` is a finite number above 0. The error names `input`, by which the caller gave the mass.
-pub fn positive_mass(input: Input, kg: f64) -> Result<f64, Fault> {
+pub fn positive_mass(input: Input, kg: f64) -> Result<f64> {
     if kg.is_finite() && kg > 0.0 {
         return Ok(kg);
     }

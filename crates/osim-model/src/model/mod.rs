@@ -64,8 +64,8 @@ pub use contacts::{
 pub use document::Document;
 pub use fault::{
     CountedSpheres, Excerpt, Fault, FaultKind, FileId, ForcesOfAnimal, GravityFor, MassMistake,
-    MassesOfOtherRows, MissingFact, NoteDoubt, RadiusChangeReason, Suspicion, UnknownFactors, YesQuestion,
-    probable_units,
+    MassesOfOtherRows, MissingFact, NoteDoubt, RadiusChangeReason, Result, Suspicion, UnknownFactors,
+    YesQuestion, probable_units,
 };
 pub use finding::{Example, Finding, FindingCode, Measure, Repair, Rule, Severity, VerdictTopic};
 pub use limbs::{Limb, Limbs};

@@ -7,7 +7,7 @@ use std::str::FromStr;
 use globset::{GlobBuilder, GlobSet, GlobSetBuilder};
 
 use crate::messages::{is_visible, named};
-use crate::model::fault::Fault;
+use crate::model::fault::{Fault, Result};
 
 /// Letters in a name for which OpenSim refuses a whole model.
 const REFUSED_LETTERS: &str = "\\*+/ \t\r\n\u{b}\u{c}";
@@ -24,7 +24,7 @@ const NAME_ADVICE: &str = "choose letters, digits, '_' or '-'";
 ///
 /// # Errors
 /// The name is empty, is a step in OpenSim's paths (such as `..`), or has a letter that OpenSim or XML refuses or that is invisible.
-pub fn refuse_name(name: &str) -> Result<(), Fault> {
+pub fn refuse_name(name: &str) -> Result<()> {
     refuse_name_in_paths(name)?;
     match name.chars().find(|&letter| !is_visible(letter)) {
         Some(letter) => Err(Fault::refused(format!(
@@ -36,7 +36,7 @@ pub fn refuse_name(name: &str) -> Result<(), Fault> {
 }
 
 /// Refuses a name that cannot be part of a path in OpenSim.
-pub fn refuse_name_in_paths(name: &str) -> Result<(), Fault> {
+pub fn refuse_name_in_paths(name: &str) -> Result<()> {
     if name.is_empty() {
         return Err(Fault::refused(
             "a contact has no name: OpenSim finds contacts by their names, so give it one",

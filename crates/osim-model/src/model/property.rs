@@ -7,7 +7,7 @@ use std::str::FromStr;
 use contact_scaling::SmoothingValues;
 
 use crate::messages::named;
-use crate::model::fault::{Fault, FaultKind};
+use crate::model::fault::{Fault, FaultKind, Result};
 use crate::model::names_and_sides::nearest_names;
 use crate::xml::opensim_text::NumberFault;
 
@@ -288,7 +288,7 @@ pub struct Value {
 
 impl Value {
     /// The number, if scaling can use it: one plain number in the domain of the property.
-    pub fn checked(&self) -> Result<f64, Fault> {
+    pub fn checked(&self) -> Result<f64> {
         let at_value = |kind: FaultKind| match &self.span {
             Some(span) => Fault::at_span(kind, span.clone()),
             None => Fault::at(kind, self.offset),

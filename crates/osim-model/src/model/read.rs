@@ -4,18 +4,18 @@ use std::sync::{Arc, OnceLock};
 
 use crate::model::contacts::ContactReader;
 use crate::model::{
-    Companion, Components, Document, Fault, FaultKind, FileId, MissingFact, Model, Note, NoteDoubt, Skeleton,
-    Value, ValueKey, ValueOrigin,
+    Companion, Components, Document, Fault, FaultKind, FileId, MissingFact, Model, Note, NoteDoubt, Result,
+    Skeleton, Value, ValueKey, ValueOrigin,
 };
 
 impl Model {
     /// Reads a model from the bytes of its only file.
-    pub fn parse(bytes: impl Into<Vec<u8>>) -> Result<Self, Fault> {
+    pub fn parse(bytes: impl Into<Vec<u8>>) -> Result<Self> {
         Self::read(Document::parse(bytes)?)
     }
 
     /// Reads a model that is in one file.
-    pub fn read(document: Document) -> Result<Self, Fault> {
+    pub fn read(document: Document) -> Result<Self> {
         Self::read_with(document, vec![])
     }
 
@@ -23,7 +23,7 @@ impl Model {
     ///
     /// # Errors
     /// The document is neither a model nor a force set with its geometry, or a connection refers to no component.
-    pub fn read_with(document: Document, companions: Vec<Companion>) -> Result<Self, Fault> {
+    pub fn read_with(document: Document, companions: Vec<Companion>) -> Result<Self> {
         check_data_root(&document, companions.is_empty()).map_err(|fault| fault.located(document.bytes()))?;
         let components = Components::new(document, companions);
         let mut skeleton = Skeleton::read(&components);
@@ -76,7 +76,7 @@ impl Model {
     }
 
     /// Reads the model again after a change, from new `bytes` of its main file and of the files in `others`. Other files are unchanged.
-    pub fn read_again(&self, bytes: Vec<u8>, others: &[(FileId, Vec<u8>)]) -> Result<Self, Fault> {
+    pub fn read_again(&self, bytes: Vec<u8>, others: &[(FileId, Vec<u8>)]) -> Result<Self> {
         let document = Document::parse(bytes)?;
         let mut named = document.included_files().into_iter();
         let companions = self.companions().map(|(file, companion)| {
@@ -87,7 +87,7 @@ impl Model {
             };
             Ok(Companion { document, included_by })
         });
-        let companions = companions.collect::<Result<_, Fault>>()?;
+        let companions = companions.collect::<Result<_>>()?;
         Self::read_with(document, companions)
     }
 
@@ -105,7 +105,7 @@ impl Model {
     }
 }
 
-fn check_data_root(document: &Document, alone: bool) -> Result<(), Fault> {
+fn check_data_root(document: &Document, alone: bool) -> Result<()> {
     let tree = document.tree();
     let root = document.data_root();
     let kind = match tree.name(root) {

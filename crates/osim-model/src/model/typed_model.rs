@@ -8,7 +8,7 @@ use crate::model::anatomy::bone_sizes::{BoneLengths, TriplesByBody, frame_offset
 use crate::model::anatomy::joints::{AnatomyJoint, Joints};
 use crate::model::{
     Body, Companion, ComponentId, Components, Document, Fault, FileId, Finding, Force, ForceId, HalfSpace,
-    Irregularity, Note, NoteDoubt, Property, SetId, Skeleton, Sphere, SphereId,
+    Irregularity, Note, NoteDoubt, Property, Result, SetId, Skeleton, Sphere, SphereId,
 };
 use crate::xml::TextPosition;
 
@@ -89,20 +89,20 @@ impl Model {
     }
 
     /// The effective value of a force's property, if it can be scaled; `None` if the class has no such property.
-    pub fn parameter(&self, force: ForceId, set: SetId, property: Property) -> Result<Option<f64>, Fault> {
+    pub fn parameter(&self, force: ForceId, set: SetId, property: Property) -> Result<Option<f64>> {
         self.force(force).map_or(Ok(None), |force| force.checked(set, property))
     }
 
     /// The effective radius of a sphere, m, if it can be scaled.
-    pub fn radius_m(&self, sphere: SphereId) -> Result<f64, Fault> {
+    pub fn radius_m(&self, sphere: SphereId) -> Result<f64> {
         self.required_sphere(sphere)?.radius_m()
     }
 
-    pub fn round_radius_m(&self, sphere: SphereId) -> Result<f64, Fault> {
+    pub fn round_radius_m(&self, sphere: SphereId) -> Result<f64> {
         self.required_sphere(sphere)?.round_radius_m()
     }
 
-    fn required_sphere(&self, id: SphereId) -> Result<&Sphere, Fault> {
+    fn required_sphere(&self, id: SphereId) -> Result<&Sphere> {
         let unknown = || Fault::refused(format!("there is no sphere number {}", id.index()));
         self.sphere(id).ok_or_else(unknown)
     }

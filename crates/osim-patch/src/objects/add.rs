@@ -1,7 +1,7 @@
 //! Adds contacts to a model.
 
 use foldhash::HashMap;
-use osim_model::{Body, Fault, FaultKind, HalfSpace, Model, Note, Property, SphereId};
+use osim_model::{Body, Fault, FaultKind, HalfSpace, Model, Note, Property, Result, SphereId};
 
 use crate::edit::model_with_edits;
 use crate::objects::nodes::{self, ForceValues, NamesInList, ParentFrame};
@@ -43,7 +43,7 @@ const NAME_OF_FLOOR: &str = "floor";
 /// - A body that the model does not have ([`FaultKind::UnknownBody`]), or that is welded to ground.
 /// - A `constant_contact_force` of 0, a name that OpenSim refuses, a radius that is not above 0, or several half-spaces that could
 ///   be the floor.
-pub fn add_contacts(model: &Model, layout: &mut ContactLayout) -> Result<RebuiltModel, Fault> {
+pub fn add_contacts(model: &Model, layout: &mut ContactLayout) -> Result<RebuiltModel> {
     refuse_partial_model(model)?;
     layout.check()?;
     let (mut names, list) = (TakenNames::of(model), NamesInList::of(model));
@@ -153,7 +153,7 @@ impl Plan {
 }
 
 /// The floor of `model`: its only half-space on ground that faces straight up; `None` if it has none.
-pub(super) fn find_floor(model: &Model) -> Result<Option<HalfSpace>, Fault> {
+pub(super) fn find_floor(model: &Model) -> Result<Option<HalfSpace>> {
     let mut floors = model.floors().into_iter();
     let Some(first) = floors.next() else { return Ok(None) };
     let others: Vec<String> = floors.map(|plane| plane.name).collect();

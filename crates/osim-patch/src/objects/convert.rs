@@ -4,8 +4,8 @@ use contact_scaling::{RatioValues, Ratios, falisse2022};
 use foldhash::{HashMap, HashSet};
 use osim_model::messages::{readable, shown};
 use osim_model::{
-    Class, ElementId, Fault, FaultKind, Finding, Force, ForceKind, Model, PieceKind, Property, Selected,
-    Sphere, Tree, moving_spheres,
+    Class, ElementId, Fault, FaultKind, Finding, Force, ForceKind, Model, PieceKind, Property, Result,
+    Selected, Sphere, Tree, moving_spheres,
 };
 
 use crate::builder::refuse_included;
@@ -70,7 +70,7 @@ pub struct Converted {
 /// - A force without a half-space, a sphere on the half-space's own body, or a pair that is pressed several times: by name.
 /// - Values that are not plain numbers.
 /// - Surfaces with different parameters, if [`Convert::strict`] is set.
-pub fn convert(model: &Model, selected: &Selected, wanted: &Convert) -> Result<Converted, Fault> {
+pub fn convert(model: &Model, selected: &Selected, wanted: &Convert) -> Result<Converted> {
     refuse_partial_model(model)?;
     let document = model.document();
     let tree = document.tree();
@@ -131,7 +131,7 @@ fn has_half_space(force: &Force) -> bool {
 }
 
 /// The pairs of sphere and half-space of a force; refuses a force that cannot be converted.
-fn checked_pairs(model: &Model, force: &Force, to: ForceKind) -> Result<Vec<SpherePlanePair>, Fault> {
+fn checked_pairs(model: &Model, force: &Force, to: ForceKind) -> Result<Vec<SpherePlanePair>> {
     let leave_out = |text: String, otherwise: &'static str| {
         let kind = FaultKind::ForceCannotChange { text, force: force.name.clone(), otherwise };
         Fault::new(kind).at_element(force.path.clone())
@@ -240,7 +240,7 @@ fn divide_force(
     pairs: &[SpherePlanePair],
     wanted: &Convert,
     (names, list, inside): (&mut TakenNames, &NamesInList, &mut SurfacesInsideForces),
-) -> Result<(Edit, Vec<ObjectChange>), Fault> {
+) -> Result<(Edit, Vec<ObjectChange>)> {
     let document = model.document();
     let tree = document.tree();
     let span = tree.span(force.element());
@@ -301,7 +301,7 @@ pub(super) fn add_smoothing(
     values: &mut Vec<(Property, f64)>,
     radius_m: f64,
     wanted: &Convert,
-) -> Result<(), Fault> {
+) -> Result<()> {
     let human = falisse2022();
     let radius = radius_m / human.scale.radius_m();
     let ratios = Ratios::new(RatioValues { mass: 1.0, sphere_count: 1.0, radius, gravity: 1.0 });
@@ -360,7 +360,7 @@ impl ContactLayout {
     ///
     /// # Errors
     /// A radius outside its domain.
-    pub fn into_class(mut self, kind: ForceKind) -> Result<Self, Fault> {
+    pub fn into_class(mut self, kind: ForceKind) -> Result<Self> {
         for contact in self.contacts.iter_mut().filter(|contact| contact.kind != kind) {
             contact.set_class(kind)?;
         }
@@ -370,7 +370,7 @@ impl ContactLayout {
 
 impl NewContact {
     /// Gives the contact another class of force; parameters that it lacks are computed.
-    fn set_class(&mut self, kind: ForceKind) -> Result<(), Fault> {
+    fn set_class(&mut self, kind: ForceKind) -> Result<()> {
         self.kind = kind;
         if kind == ForceKind::SmoothSphereHalfSpace {
             return add_smoothing(&mut self.values, self.radius_m, &Convert::new(kind));
@@ -395,7 +395,7 @@ impl NewContact {
     /// assert_eq!(of(Property::HertzSmoothing), Some(300.0));
     /// # Ok::<(), osim_model::Fault>(())
     /// ```
-    pub fn with_defaults(mut self) -> Result<Self, Fault> {
+    pub fn with_defaults(mut self) -> Result<Self> {
         self.set_class(self.kind)?;
         let classes: &[Class] = match self.kind {
             ForceKind::SmoothSphereHalfSpace => &[Class::SmoothSphereHalfSpaceForce],

@@ -5,7 +5,7 @@ use foldhash::{HashMap, HashMapExt, HashSet};
 use osim_model::messages::counted;
 use osim_model::{
     Anatomy, AnatomyJoint, AnatomySphere, Fault, FaultKind, Force, ForceKind, HalfSpace, Model, ParameterSet,
-    Property, Rotation, Selected, SetId, Side, Sphere, SphereId, Surfaces,
+    Property, Result, Rotation, Selected, SetId, Side, Sphere, SphereId, Surfaces,
 };
 
 /// A contact to add to a model: a sphere, and the force between the sphere and the floor.
@@ -53,7 +53,7 @@ impl ContactLayout {
     ///
     /// # Errors
     /// A value that is not a plain number, or a sphere whose place cannot be read.
-    pub fn of(model: &Model, selected: &Selected) -> Result<Self, Fault> {
+    pub fn of(model: &Model, selected: &Selected) -> Result<Self> {
         let mut layout = Self::default();
         for force in selected.forces.iter().filter_map(|&id| model.force(id)) {
             let pairs = sphere_plane_pairs(model, force)?;
@@ -86,7 +86,7 @@ impl ContactLayout {
     ///
     /// # Errors
     /// A `constant_contact_force` of 0 ([`FaultKind::ZeroConstantContactForce`]), with the name of its force.
-    pub fn check(&self) -> Result<(), Fault> {
+    pub fn check(&self) -> Result<()> {
         let zero = |contact: &&NewContact| contact.values.contains(&(Property::ConstantContactForce, 0.0));
         let Some(contact) = self.contacts.iter().find(zero) else { return Ok(()) };
         Err(Fault::new(FaultKind::ZeroConstantContactForce).at_element(contact.force.clone()))
@@ -112,7 +112,7 @@ impl ContactLayout {
     ///
     /// # Errors
     /// Contacts on both sides, or on none.
-    pub fn mirrored(mut self) -> Result<Self, Fault> {
+    pub fn mirrored(mut self) -> Result<Self> {
         let sides: Vec<Side> =
             self.contacts.iter().filter_map(|contact| Side::of_name(&contact.body)).collect();
         let Some(&side) = sides.first() else {
@@ -177,7 +177,7 @@ fn mirrored_place([x, y, z]: [f64; 3]) -> [f64; 3] {
 }
 
 /// The mirror image of a contact, on the body of the other side.
-fn mirrored_contact(contact: &NewContact, side: Side) -> Result<NewContact, Fault> {
+fn mirrored_contact(contact: &NewContact, side: Side) -> Result<NewContact> {
     let body = name_of_other_side(&contact.body).ok_or_else(|| {
         Fault::refused(format!(
             "{} says its side otherwise than with _r or _l: what is mirrored is found by these letters",
@@ -231,7 +231,7 @@ pub(crate) struct SpherePlanePair {
 /// # Errors
 /// - A value that is not a plain number or outside its domain, with its place.
 /// - A pair that the force presses several times: by name.
-pub(crate) fn sphere_plane_pairs(model: &Model, force: &Force) -> Result<Vec<SpherePlanePair>, Fault> {
+pub(crate) fn sphere_plane_pairs(model: &Model, force: &Force) -> Result<Vec<SpherePlanePair>> {
     refuse_repeated_pair(model, force)?;
     let surfaces = Surfaces::of(force)?;
     let planes: Vec<(&ParameterSet, HalfSpace)> = force
@@ -269,7 +269,7 @@ fn can_meet(sphere: &Sphere, plane: &HalfSpace) -> bool {
 
 /// Refuses a force that names a sphere or a half-space several times: OpenSim presses each sphere on each half-space every time, which
 /// forces of one sphere do not do. Nothing here grows with the number of pairs.
-fn refuse_repeated_pair(model: &Model, force: &Force) -> Result<(), Fault> {
+fn refuse_repeated_pair(model: &Model, force: &Force) -> Result<()> {
     let mut times_of_sphere: HashMap<SphereId, usize> = HashMap::new();
     for &sphere in force.sets.iter().flat_map(|set| &set.spheres) {
         *times_of_sphere.entry(sphere).or_default() += 1;
@@ -311,7 +311,7 @@ fn refuse_repeated_pair(model: &Model, force: &Force) -> Result<(), Fault> {
     Ok(())
 }
 
-fn values_of_set(force: &Force, set: SetId) -> Result<Vec<(Property, f64)>, Fault> {
+fn values_of_set(force: &Force, set: SetId) -> Result<Vec<(Property, f64)>> {
     let value = |property| Some(force.checked(set, property).transpose()?.map(|value| (property, value)));
     Property::ALL.into_iter().filter_map(value).collect()
 }

@@ -3,7 +3,7 @@
 
 use foldhash::{HashMap, HashSet};
 use osim_model::{
-    Class, Document, Fault, FileId, Force, ForceKind, HalfSpace, Model, Orientation, Property, Sphere,
+    Class, Document, Fault, FileId, Force, ForceKind, HalfSpace, Model, Orientation, Property, Result, Sphere,
 };
 
 use crate::insert::{NewElement, escaped_attribute};
@@ -36,7 +36,7 @@ impl ParentFrame<'_> {
 }
 
 /// An element with three numbers; `name` is the object's name in the error message.
-fn triple_element(tag: &str, values: [f64; 3], name: &str) -> Result<NewElement, Fault> {
+fn triple_element(tag: &str, values: [f64; 3], name: &str) -> Result<NewElement> {
     // The mirror image of 0 is 0, without a minus.
     let values = values.map(|value| value + 0.0);
     let text = change::triple_text(values, tag, || format!("the place that {name} is to have"));
@@ -48,7 +48,7 @@ pub(super) fn sphere_element(
     version: u32,
     parent_frame: &ParentFrame<'_>,
     contact: &NewContact,
-) -> Result<NewElement, Fault> {
+) -> Result<NewElement> {
     let name = contact.sphere.as_str();
     let place = triple_element("location", contact.location_m, name)?;
     let radius = change::number_text(contact.radius_m, Property::Radius, || {
@@ -64,14 +64,14 @@ fn half_space_element(
     parent_frame: &ParentFrame<'_>,
     name: &str,
     [location_m, angles_rad]: [[f64; 3]; 2],
-) -> Result<NewElement, Fault> {
+) -> Result<NewElement> {
     let place = triple_element("location", location_m, name)?;
     let turned = triple_element("orientation", angles_rad, name)?;
     Ok(NewElement::object("ContactHalfSpace", name, vec![parent_frame.node(version), place, turned]))
 }
 
 /// The element `<ContactHalfSpace>` through the origin of ground; its normal points along `up`.
-pub(super) fn floor(version: u32, name: &str, up: [f64; 3]) -> Result<NewElement, Fault> {
+pub(super) fn floor(version: u32, name: &str, up: [f64; 3]) -> Result<NewElement> {
     half_space_element(version, &GROUND_FRAME, name, [[0.0; 3], Orientation::facing(up)])
 }
 
@@ -95,7 +95,7 @@ pub(super) fn force(
     values: &ForceValues<'_>,
     applies: bool,
     names: &NamesInList,
-) -> Result<NewElement, Fault> {
+) -> Result<NewElement> {
     let values_of = |class: Class| {
         let value = |property: Property| {
             let given = values.numbers.iter().find(|(known, _)| *known == property).map(|(_, value)| *value);
@@ -195,7 +195,7 @@ impl SurfacesInsideForces {
         force: &Force,
         (sphere, plane): (&Sphere, &HalfSpace),
         names: &mut TakenNames,
-    ) -> Result<(String, String), Fault> {
+    ) -> Result<(String, String)> {
         self.refuse_ignored_offset(model, force, [&sphere.frame, &plane.frame_path])
             .map_err(|fault| fault.at_element(force.path.clone()))?;
         for frame in [&sphere.frame, &plane.frame_path] {
@@ -211,7 +211,7 @@ impl SurfacesInsideForces {
         force: &Force,
         sphere: &Sphere,
         names: &mut TakenNames,
-    ) -> Result<String, Fault> {
+    ) -> Result<String> {
         let mut contact = NewContact::new(force.kind, force.name.clone(), "");
         contact.sphere = names.reserve(&format!("{}_sphere", force.name))?;
         contact.location_m = sphere.location_m;
@@ -229,7 +229,7 @@ impl SurfacesInsideForces {
         force: &Force,
         plane: &HalfSpace,
         names: &mut TakenNames,
-    ) -> Result<String, Fault> {
+    ) -> Result<String> {
         let unread =
             || Fault::refused(format!("the place of the half-space of {} cannot be read", force.path));
         let place = [plane.location_m, plane.orientations.first().and_then(|own| own.angles_rad)];
@@ -258,12 +258,7 @@ impl SurfacesInsideForces {
 
     /// Refuses an offset frame: the first version of the class, which had a `derivative_smoothing`, used a location in the frame as
     /// if it were one in the body.
-    fn refuse_ignored_offset(
-        &mut self,
-        model: &Model,
-        force: &Force,
-        frames: [&String; 2],
-    ) -> Result<(), Fault> {
+    fn refuse_ignored_offset(&mut self, model: &Model, force: &Force, frames: [&String; 2]) -> Result<()> {
         let tree = model.file(FileId::MAIN).tree();
         if tree.child(force.element(), "derivative_smoothing").is_none() {
             return Ok(());

@@ -6,7 +6,8 @@ use std::sync::Arc;
 use foldhash::{HashMap, HashMapExt, HashSet};
 use osim_model::messages::named;
 use osim_model::{
-    Document, ElementId, Fault, FileId, ForceKind, Model, Property, opensim_text, refuse_name_in_paths,
+    Document, ElementId, Fault, FileId, ForceKind, Model, Property, Result, opensim_text,
+    refuse_name_in_paths,
 };
 
 named! {
@@ -125,7 +126,7 @@ impl TakenNames {
     }
 
     /// Reserves `name`, with a number after it if it is taken.
-    pub(super) fn reserve(&mut self, name: &str) -> Result<String, Fault> {
+    pub(super) fn reserve(&mut self, name: &str) -> Result<String> {
         refuse_name_in_paths(name)?;
         let mut taken = name.to_owned();
         let number = self.numbers.entry(taken.clone()).or_insert(2);
@@ -139,7 +140,7 @@ impl TakenNames {
 
 /// Refuses a reference to an object whose name or path is not UTF-8 in the file. Such a `name` was read with question marks, and
 /// OpenSim would not find the object.
-pub(super) fn refuse_non_utf8_name(model: &Model, name: &str) -> Result<(), Fault> {
+pub(super) fn refuse_non_utf8_name(model: &Model, name: &str) -> Result<()> {
     if !name.contains('?') || std::str::from_utf8(model.file(FileId::MAIN).bytes()).is_ok() {
         return Ok(());
     }

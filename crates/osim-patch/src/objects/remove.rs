@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 use foldhash::{HashMap, HashMapExt, HashSet, HashSetExt};
 use osim_model::{
     ComponentId, Document, ElementId, Fault, FaultKind, FileId, Force, ForceId, GEOMETRY_CLASSES, HalfSpace,
-    Model, Note, OTHER_CONTACT_CLASSES, Selected, SphereId, Tree, moving_spheres, opensim_text,
+    Model, Note, OTHER_CONTACT_CLASSES, Result, Selected, SphereId, Tree, moving_spheres, opensim_text,
 };
 
 use crate::builder::refuse_included;
@@ -27,7 +27,7 @@ use crate::objects::sets::{FORCE_SET, GEOMETRY_SET, refuse_partial_model};
 /// # Errors
 /// - A file that is a set and no model, or a model with a set in another file.
 /// - A sphere or force that something else uses, such as another force class, by name.
-pub fn remove(model: &Model, selected: &Selected, others: &[ComponentId]) -> Result<RebuiltModel, Fault> {
+pub fn remove(model: &Model, selected: &Selected, others: &[ComponentId]) -> Result<RebuiltModel> {
     refuse_partial_model(model)?;
     let going: HashSet<ForceId> = selected.forces.iter().copied().collect();
     let staying = || model.forces().iter().filter(|force| !going.contains(&force.id));
@@ -90,9 +90,9 @@ fn remove_others(
     model: &Model,
     others: &[ComponentId],
     (elements, objects, names): (&mut Vec<ElementId>, &mut Vec<ObjectChange>, &mut HashSet<String>),
-) -> Result<(), Fault> {
+) -> Result<()> {
     let components = model.components();
-    let mut add = |id: ComponentId| -> Result<(), Fault> {
+    let mut add = |id: ComponentId| -> Result<()> {
         let (path, name) = (components.tree.path(id), components.name(id));
         refuse_included(model, components.file_of(id), &path)?;
         elements.push(components.element(id));
@@ -169,7 +169,7 @@ fn is_emptied(tree: &Tree, set: Option<ElementId>, going: &HashSet<ElementId>) -
 }
 
 /// Refuses to remove geometry to which other elements of the file refer, because OpenSim would refuse the file.
-fn refuse_users(model: &Model, elements: &[ElementId], going: &HashSet<String>) -> Result<(), Fault> {
+fn refuse_users(model: &Model, elements: &[ElementId], going: &HashSet<String>) -> Result<()> {
     let document = model.document();
     let tree = document.tree();
     let gone = OuterSpans::of(elements.iter().map(|&element| tree.span(element)).collect());

@@ -1,7 +1,7 @@
 //! The sets of contact objects: inserts new members, and records in the note how to remove them again. Also writes
 //! the paths of sockets whose paths lead nowhere.
 
-use osim_model::{ElementId, Fault, FaultKind, Irregularity, Model, Tree};
+use osim_model::{ElementId, Fault, FaultKind, Irregularity, Model, Result, Tree};
 
 use crate::edit::{Edit, model_with_edits};
 use crate::insert::{
@@ -162,7 +162,7 @@ pub(super) const FORCE_SET_TAG: &str = "ForceSet";
 const GEOMETRY_SET_TAG: &str = "ContactGeometrySet";
 
 /// Refuses a model in several files: a set in another file may belong to other models, too.
-pub(super) fn refuse_partial_model(model: &Model) -> Result<(), Fault> {
+pub(super) fn refuse_partial_model(model: &Model) -> Result<()> {
     let document = model.document();
     let (tree, root) = (document.tree(), document.data_root());
     if tree.name(root) != "Model" {
@@ -199,7 +199,7 @@ const SOCKET_TAGS: [&str; 7] = [
 ///
 /// # Errors
 /// The model with these paths cannot be read.
-pub fn connect_sockets(model: &Model) -> Result<RebuiltModel, Fault> {
+pub fn connect_sockets(model: &Model) -> Result<RebuiltModel> {
     let tree = model.document().tree();
     let (mut edits, mut objects) = (Vec::new(), Vec::new());
     for irregularity in &model.irregularities {

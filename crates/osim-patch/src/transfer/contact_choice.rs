@@ -3,8 +3,8 @@
 use contact_scaling::{DimensionlessContact, Scale, ScaleValues};
 use foldhash::{HashMap, HashMapExt};
 use osim_model::{
-    Fault, FaultKind, Force, MissingFact, Model, Property, Selected, SphereId, Surfaces, moving_spheres,
-    sphere_sets,
+    Fault, FaultKind, Force, MissingFact, Model, Property, Result, Selected, SphereId, Surfaces,
+    moving_spheres, sphere_sets,
 };
 
 use crate::builder::{NewNumber, PlanBuilder};
@@ -53,7 +53,7 @@ impl<'t> ReferenceRadii<'t> {
 
 impl<'t> ContactChoice<'t> {
     /// Chooses the contact for each sphere: that of the sphere which the caller named, the common one, or that of the same name.
-    pub(crate) fn new(model: &Model, selected: &Selected, wanted: &'t Transfer) -> Result<Self, Fault> {
+    pub(crate) fn new(model: &Model, selected: &Selected, wanted: &'t Transfer) -> Result<Self> {
         let contacts = &wanted.reference.contacts;
         let Some(first) = contacts.first() else {
             return Err(wanted.reference.without_contacts());
@@ -123,7 +123,7 @@ impl<'t> ContactChoice<'t> {
         model: &Model,
         selected: &Selected,
         reference: &Reference,
-    ) -> Result<(), Fault> {
+    ) -> Result<()> {
         let radii = ReferenceRadii::of(reference);
         let unmatched =
             names_of_unmatched(model, selected, |sphere| self.radius_for(model, sphere, &radii).is_some());
@@ -134,11 +134,7 @@ impl<'t> ContactChoice<'t> {
     }
 
     /// The contact of the reference that all spheres of a force get; an error if they get different ones.
-    pub(crate) fn contact_for_force(
-        &self,
-        model: &Model,
-        force: &Force,
-    ) -> Result<&'t ReferenceContact, Fault> {
+    pub(crate) fn contact_for_force(&self, model: &Model, force: &Force) -> Result<&'t ReferenceContact> {
         let moving: Vec<SphereId> =
             sphere_sets(model, force).into_iter().flat_map(|(_, spheres)| spheres).collect();
         let mut contacts = moving.iter().map(|&sphere| self.contact_for_sphere(model, sphere));
@@ -178,7 +174,7 @@ fn contacts_by_sphere_name(contacts: &[ReferenceContact]) -> HashMap<&str, &Refe
 }
 
 /// The contact without dimension, for comparing contacts of one reference.
-fn dimensionless_contact(contact: &ReferenceContact) -> Result<DimensionlessContact, Fault> {
+fn dimensionless_contact(contact: &ReferenceContact) -> Result<DimensionlessContact> {
     let (radius_m, gravity_m_s2) = (contact.radius_m, ARBITRARY_GRAVITY);
     let values = ScaleValues { mass_kg: 1.0, radius_m, sphere_count: 1.0, gravity_m_s2 };
     Ok(DimensionlessContact::of(&contact.contact, &Scale::new(values).map_err(Fault::new)?))
@@ -205,7 +201,7 @@ pub(crate) fn plan_several_sets(
     chosen: &ContactChoice<'_>,
     radii: &Radii,
     gravity: f64,
-) -> Result<(), Fault> {
+) -> Result<()> {
     let ratios = wanted.ratios(radius_ratio(plan, force, wanted, radii), gravity)?;
     for property in Property::ALL.into_iter().filter(|&property| wanted.properties.contains(property)) {
         let Some((factor, by)) = wanted.factor(property, &ratios) else { continue };
@@ -233,7 +229,7 @@ fn composite_ratio(
     force: &Force,
     chosen: &ContactChoice<'_>,
     property: Property,
-) -> Result<f64, Fault> {
+) -> Result<f64> {
     let surfaces = Surfaces::of(force)?;
     let mut common: Option<f64> = None;
     for (set, spheres) in sphere_sets(plan.model, force) {

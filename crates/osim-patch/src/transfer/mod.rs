@@ -7,8 +7,8 @@ use contact_scaling::{Contact, DimensionlessContact, Ratios, Scale, ScaleValues,
 use osim_model::compare::Follow;
 use osim_model::messages::{Phrase, phrase, readable};
 use osim_model::{
-    Fault, FaultKind, Finding, Force, ForceKind, GravityFor, Mass, Model, Property, RadiusRule, Scope,
-    Selected, SphereId,
+    Fault, FaultKind, Finding, Force, ForceKind, GravityFor, Mass, Model, Property, RadiusRule, Result,
+    Scope, Selected, SphereId,
 };
 
 use crate::builder::{PlanBuilder, change_composite, scale_with_radius};
@@ -36,7 +36,7 @@ pub use reference::{
 /// - A force that keeps its sphere inside itself, as in Moco 0.1 to 0.3 ([`FaultKind::SphereInsideForce`]).
 /// - Spheres of one force move with bodies of different scale factors, and [`Transfer::strict`] is set
 ///   ([`FaultKind::StrictlyRefused`]).
-pub fn transfer(model: &Model, selected: &Selected, wanted: &Transfer) -> Result<Plan, Fault> {
+pub fn transfer(model: &Model, selected: &Selected, wanted: &Transfer) -> Result<Plan> {
     let mut forces = selected.forces.iter().filter_map(|&id| model.force(id));
     if let Some(force) = forces.find(|force| keeps_sphere_inside(model, force)) {
         // OpenSim could not read the result.
@@ -121,7 +121,7 @@ struct TargetForce<'t> {
 
 impl TargetForce<'_> {
     /// Plans the parameters of this force.
-    fn plan(&self, plan: &mut PlanBuilder<'_>, wanted: &Transfer) -> Result<(), Fault> {
+    fn plan(&self, plan: &mut PlanBuilder<'_>, wanted: &Transfer) -> Result<()> {
         for property in Property::ALL.into_iter().filter(|&property| wanted.properties.contains(property)) {
             let Some((factor, by)) = wanted.factor(property, &self.ratios) else { continue };
             match self.reference_value(property) {
@@ -220,7 +220,7 @@ fn check_factor_spread(
     wanted: &Transfer,
     chosen: &ContactChoice<'_>,
     radii: &Radii,
-) -> Result<(), Fault> {
+) -> Result<()> {
     let model = plan.model;
     for force in selected.forces.iter().filter_map(|&id| model.force(id)) {
         // A reference force has one radius for all its spheres; what differs here is the bodies' factors.

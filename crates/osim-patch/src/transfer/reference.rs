@@ -4,7 +4,7 @@ use contact_scaling::{Contact, ContactValues, Preset, RatioValues, Ratios, Smoot
 use osim_model::compare::Follow;
 use osim_model::{
     Class, DissipationBy, Fault, ForceKind, LevelAxis, Mass, MassSource, Model, Property, PropertySet,
-    RadiusRule, Selected, Surfaces, contact_of_set, root_mean_square, sphere_sets,
+    RadiusRule, Result, Selected, Surfaces, contact_of_set, root_mean_square, sphere_sets,
 };
 
 use crate::change::{ChangedBy, property_factor};
@@ -160,7 +160,7 @@ impl Transfer {
     }
 
     /// The ratios of this model to the reference, if their radii have the ratio `radius` and their gravities the ratio `gravity`.
-    pub(super) fn ratios(&self, radius: f64, gravity: f64) -> Result<Ratios, Fault> {
+    pub(super) fn ratios(&self, radius: f64, gravity: f64) -> Result<Ratios> {
         let mass = self.target_mass.kg / self.reference.mass.kg;
         let sphere_count = self.sphere_count / self.reference.sphere_count;
         Ratios::new(RatioValues { mass, sphere_count, radius, gravity }).map_err(Fault::new)
@@ -203,12 +203,12 @@ pub fn reference_of_model(
     selected: &Selected,
     mass: Mass,
     sphere_count: f64,
-) -> Result<Reference, Fault> {
+) -> Result<Reference> {
     let mut contacts = Vec::new();
     for force in selected.forces.iter().filter_map(|&id| model.force(id)) {
         let surfaces = Surfaces::of(force)?;
         for (set, spheres) in sphere_sets(model, force) {
-            let radii_m: Result<Vec<f64>, Fault> = spheres.iter().map(|&id| model.radius_m(id)).collect();
+            let radii_m: Result<Vec<f64>> = spheres.iter().map(|&id| model.radius_m(id)).collect();
             let radii_m = radii_m?;
             let radius_m = root_mean_square(radii_m.iter().copied());
             let contact = contact_of_set(force, &surfaces, set)?;
@@ -247,13 +247,13 @@ pub fn reference_of_layout(
     mass: Mass,
     sphere_count: f64,
     gravity_m_s2: Option<f64>,
-) -> Result<Reference, Fault> {
-    let contacts = layout.contacts.iter().map(contact_of_new).collect::<Result<_, Fault>>()?;
+) -> Result<Reference> {
+    let contacts = layout.contacts.iter().map(contact_of_new).collect::<Result<_>>()?;
     Ok(Reference { name: name.to_owned(), mass, sphere_count, gravity_m_s2, contacts })
 }
 
 /// A new contact as a contact of a reference.
-fn contact_of_new(new: &NewContact) -> Result<ReferenceContact, Fault> {
+fn contact_of_new(new: &NewContact) -> Result<ReferenceContact> {
     let smooth = new.kind == ForceKind::SmoothSphereHalfSpace;
     let class = if smooth { Class::SmoothSphereHalfSpaceForce } else { Class::ContactParameters };
     let value = |property| {

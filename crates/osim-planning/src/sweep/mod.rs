@@ -13,7 +13,7 @@ use osim_inspect::{Figure, unexplained_mass};
 use osim_model::files::{Failure, ModelFiles};
 use osim_model::messages::{Phrase, shortest};
 use osim_model::{MassRequest, PropertySet, YesQuestion};
-use osim_requests::{AxisName, RequestError, RequestFault, SweepRequest};
+use osim_requests::{AxisName, RequestError, RequestFault, Result, SweepRequest};
 
 use grid::{point_at, points_along, points_at_ends, zero_padded};
 use ladder::SweepLadder;
@@ -84,7 +84,7 @@ impl<'s> SweepPlan<'s> {
     ///
     /// # Errors
     /// Those of [`SweepRequest::check`], or the model itself cannot be read, a ladder has no last step, or there is no such point.
-    pub fn new(request: &'s SweepRequest, model: ModelFiles) -> Result<Self, RequestError> {
+    pub fn new(request: &'s SweepRequest, model: ModelFiles) -> Result<Self> {
         request.check()?;
         let count = request.count()?;
         // A model that is wrong itself is refused here, once for all variants.
@@ -189,7 +189,7 @@ impl<'s> SweepPlan<'s> {
     ///
     /// # Errors
     /// What is wrong, with the point; or the model itself cannot be used, so that no variant could be.
-    pub fn check_ends(&self) -> Result<(), RequestError> {
+    pub fn check_ends(&self) -> Result<()> {
         let points = match self.ladder {
             Some(_) => vec![0, self.count.saturating_sub(1)],
             None => {
@@ -212,7 +212,7 @@ impl<'s> SweepPlan<'s> {
     }
 
     /// Indices of the points whose mass looks like a typing mistake or another unit. These points can be anywhere on the axis.
-    fn points_with_odd_mass(&self) -> Result<Vec<usize>, RequestError> {
+    fn points_with_odd_mass(&self) -> Result<Vec<usize>> {
         let masses = points_along(&self.request.grid, AxisName::TargetMass);
         if masses.is_empty() {
             return Ok(Vec::new());

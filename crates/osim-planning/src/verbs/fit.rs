@@ -18,7 +18,7 @@ use osim_motion::{
 };
 use osim_patch::{FittedFoot, FittedNumber, Plan, RecordingErrors, Set, set};
 use osim_requests::options::{AnswerOptions, InspectionOptions};
-use osim_requests::{FitRequest, FittedChoice, HeightChoice, MotionRequest, RequestError, RequestFault};
+use osim_requests::{FitRequest, FittedChoice, HeightChoice, MotionRequest, RequestFault, Result};
 
 use super::fit_remarks::{parameter_in_words, remarks};
 use crate::motion::{
@@ -53,7 +53,7 @@ struct FitPlanner {
 ///
 /// # Errors
 /// Files that are missing or do not go together.
-pub(crate) fn prepare(request: FitRequest, files: &dyn Files) -> Result<PreparedChange, RequestError> {
+pub(crate) fn prepare(request: FitRequest, files: &dyn Files) -> Result<PreparedChange> {
     let model = request.file.clone().ok_or(RequestFault::Missing { field: "file" })?;
     let (motions, plates, loads) = (&request.motion, &request.plates, &request.loads);
     if plates.len() != motions.len() || !(loads.len() <= 1 || loads.len() == motions.len()) {

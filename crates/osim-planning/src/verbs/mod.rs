@@ -13,7 +13,7 @@ pub(crate) mod set;
 mod transfer;
 
 use osim_model::files::Files;
-use osim_requests::{CHANGING, Request, RequestError, RequestFault};
+use osim_requests::{CHANGING, Request, RequestFault, Result};
 
 use crate::prepared_change::PreparedChange;
 
@@ -31,14 +31,14 @@ pub(crate) fn changing_verbs() -> String {
 ///
 /// # Errors
 /// Options that have no effect, or contradict each other; a file that cannot be read; or a verb that changes nothing.
-pub fn prepare(request: impl Into<Request>, files: &dyn Files) -> Result<PreparedChange, RequestError> {
+pub fn prepare(request: impl Into<Request>, files: &dyn Files) -> Result<PreparedChange> {
     let request = request.into();
     let (details, settings) = (request.noted(), request.settings());
     Ok(PreparedChange { details, settings, ..prepare_change(request, files)? })
 }
 
 /// Prepares the change of each verb that changes models.
-fn prepare_change(request: Request, files: &dyn Files) -> Result<PreparedChange, RequestError> {
+fn prepare_change(request: Request, files: &dyn Files) -> Result<PreparedChange> {
     match request {
         Request::Rescale(request) => rescale::prepare(*request, files),
         Request::Design(request) => Ok(design::prepare(*request)?),

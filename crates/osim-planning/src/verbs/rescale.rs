@@ -7,7 +7,7 @@ use osim_model::messages::{Input, Verb, phrase, readable};
 use osim_model::{Fault, MassRequest, MissingFact, Model, Note, NoteDoubt, RadiusRule, ScaledSinceNote};
 use osim_patch::{OPERATION_FOLLOWING_NOTE, OPERATION_FOLLOWING_SCALE_FILE, Plan, Rescale, rescale};
 use osim_requests::options::InspectionOptions;
-use osim_requests::{Acceleration, RequestError, RequestFault, RescaleRequest};
+use osim_requests::{Acceleration, RequestFault, RescaleRequest, Result};
 
 use crate::opening::read_scale_file;
 use crate::prepared_change::PreparedChange;
@@ -17,7 +17,7 @@ use crate::remarks::{operation_with_radius, refuse_repetition};
 ///
 /// # Errors
 /// The target mass is missing, the options leave nothing to do, or the ScaleSet cannot be read.
-pub(super) fn prepare(request: RescaleRequest, files: &dyn Files) -> Result<PreparedChange, RequestError> {
+pub(super) fn prepare(request: RescaleRequest, files: &dyn Files) -> Result<PreparedChange> {
     let bodies = request.body_scale_file.as_deref().map(|path| read_scale_file(path, files)).transpose()?;
     Ok(prepare_with_factors(request, bodies)?)
 }

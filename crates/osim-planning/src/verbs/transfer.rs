@@ -13,7 +13,7 @@ use osim_model::{
 };
 use osim_patch::{OPERATION_FOLLOWING_BODIES, Plan, Reference, ScalingRule, Transfer, transfer};
 use osim_requests::options::{CountOptions, FollowOptions, InspectionOptions, RuleChoice, ScalingOptions};
-use osim_requests::{Acceleration, Kilograms, Positive, Radius, RequestError, RequestFault, TransferRequest};
+use osim_requests::{Acceleration, Kilograms, Positive, Radius, RequestFault, Result, TransferRequest};
 
 use super::reference::{
     GenericModel, MassOfPublished, reference_from_file, reference_of_opened, reference_of_preset,
@@ -26,10 +26,7 @@ use crate::remarks::{operation_with_radius, refuse_repetition, remark_on_noted_l
 ///
 /// # Errors
 /// The reference is neither a preset nor a file, or a model that cannot be a reference; or options have no effect.
-pub(super) fn prepare(
-    mut request: TransferRequest,
-    files: &dyn Files,
-) -> Result<PreparedChange, RequestError> {
+pub(super) fn prepare(mut request: TransferRequest, files: &dyn Files) -> Result<PreparedChange> {
     refuse_useless_options(&request)?;
     let keeps_bottoms = choose_default_radii(&mut request);
     let from = request.from.clone().ok_or(RequestFault::Missing { field: "from" })?;

@@ -15,7 +15,7 @@ use foldhash::HashSet;
 use crate::messages::Phrase;
 use crate::model::{
     Anatomy, AnatomySphere, Fault, FaultKind, Finding, LevelAxis, MissingFact, Model, MovedSpheres,
-    RadiusAxis, SphereId, rules,
+    RadiusAxis, Result, SphereId, rules,
 };
 
 use body_factors::{AXIS_NAMES, BodyIndex, ComparedJoints};
@@ -123,10 +123,7 @@ impl Follow {
     }
 
     /// Checks that the scaled model has every contact sphere of the `reference`, by its name.
-    pub fn refuse_missing<'n>(
-        scaled: &Anatomy,
-        reference: impl Iterator<Item = &'n String>,
-    ) -> Result<(), Fault> {
+    pub fn refuse_missing<'n>(scaled: &Anatomy, reference: impl Iterator<Item = &'n String>) -> Result<()> {
         let mut missing: Vec<&str> =
             reference.map(String::as_str).filter(|name| scaled.sphere(name).is_none()).collect();
         missing.dedup();
@@ -151,7 +148,7 @@ impl Follow {
         generic: &Anatomy,
         factors: &Factors,
         request: &FollowRequest,
-    ) -> Result<Self, Fault> {
+    ) -> Result<Self> {
         let mut spheres = BTreeMap::new();
         let (mut logarithms, mut count, mut is_placed) = (0.0, 0.0, false);
         refuse_unmatched_spheres(model, wanted, generic)?;
@@ -230,7 +227,7 @@ impl AnatomySphere {
     }
 }
 
-fn refuse_unmatched_spheres(model: &Model, wanted: &[SphereId], generic: &Anatomy) -> Result<(), Fault> {
+fn refuse_unmatched_spheres(model: &Model, wanted: &[SphereId], generic: &Anatomy) -> Result<()> {
     let names = || wanted.iter().filter_map(|&id| model.sphere(id)).map(|sphere| &sphere.name);
     if let Some(name) = names().find(|name| generic.has_several_spheres(name)) {
         return Err(Fault::refused(format!("the reference has several spheres called {name}: expected one")));
@@ -254,7 +251,7 @@ fn refuse_moved_spheres(
     scaled: &Anatomy,
     generic: &Anatomy,
     moved: MovedSpheres,
-) -> Result<(), Fault> {
+) -> Result<()> {
     if moved != MovedSpheres::Refuse {
         return Ok(());
     }
@@ -318,7 +315,7 @@ impl Factors {
         reference: &Anatomy,
         file: Option<&ScaleFile>,
         given: &BTreeMap<String, [f64; 3]>,
-    ) -> Result<Self, Fault> {
+    ) -> Result<Self> {
         if let Some(name) = given.keys().find(|name| !scaled.has_body(name)) {
             return Err(Fault::new(FaultKind::UnknownBody { body: name.clone() }));
         }
@@ -386,7 +383,7 @@ impl Factors {
     /// - No source gives the factor of an axis ([`MissingFact::BodyFactors`]): the error names the body and the axis.
     /// - The models are different, and the factors of the body are in doubt ([`MissingFact::Factors`]).
     /// - A factor that is zero, negative or not finite.
-    pub fn body_factors(&self, body: &str) -> Result<[f64; 3], Fault> {
+    pub fn body_factors(&self, body: &str) -> Result<[f64; 3]> {
         let found = self.by_name.index_of(body).and_then(|at| self.bodies.get(at));
         if let Some(why) = found.and_then(|found| found.why_unknown.clone()) {
             return Err(why);

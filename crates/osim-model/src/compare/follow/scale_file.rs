@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use glam::DVec3;
 
 use super::scaled_copy::{SharedJoints, SharedOffset};
-use crate::model::{Anatomy, Document, Fault, FaultKind, MissingFact, UnknownFactors};
+use crate::model::{Anatomy, Document, Fault, FaultKind, MissingFact, Result, UnknownFactors};
 
 /// If a joint is farther than this part of its distance from the place that the file's factors give, the file was applied to another model.
 const LARGEST_JOINT_ERROR: f64 = 0.01;
@@ -27,7 +27,7 @@ impl ScaleFile {
     ///
     /// # Errors
     /// The document is not a ScaleSet, a body's factors are not three numbers above 0, or two entries of one body differ.
-    pub fn read(document: &Document) -> Result<Self, Fault> {
+    pub fn read(document: &Document) -> Result<Self> {
         Self::read_unlocated(document).map_err(|fault| fault.located(document.bytes()))
     }
 
@@ -35,7 +35,7 @@ impl ScaleFile {
     ///
     /// # Errors
     /// The file has no factors of this body.
-    pub fn required_factors(&self, body: &str) -> Result<[f64; 3], Fault> {
+    pub fn required_factors(&self, body: &str) -> Result<[f64; 3]> {
         self.factors(body).ok_or_else(|| {
             Fault::refused(format!(
                 "no factors of {body} are known, expected some for each body with spheres"
@@ -43,7 +43,7 @@ impl ScaleFile {
         })
     }
 
-    fn read_unlocated(document: &Document) -> Result<Self, Fault> {
+    fn read_unlocated(document: &Document) -> Result<Self> {
         let tree = document.tree();
         let root = document.data_root();
         if tree.name(root) != "ScaleSet" {
@@ -86,7 +86,7 @@ impl ScaleFile {
         scaled: &Anatomy,
         reference: &Anatomy,
         bodies: &[&str],
-    ) -> Result<(), Fault> {
+    ) -> Result<()> {
         let joints = SharedJoints::of(scaled, reference);
         for &body in bodies {
             let Some(factors) = self.factors(body) else { continue };

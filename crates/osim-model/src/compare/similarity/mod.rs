@@ -7,7 +7,7 @@ mod ratios;
 use std::collections::{BTreeSet, HashMap};
 
 use crate::model::{
-    BoneLengths, Document, ElementId, Fault, MassRequest, Model, NotRead, SizedKind, SizedValue, SizedValues, opensim_text,
+    BoneLengths, Document, ElementId, Fault, MassRequest, Model, NotRead, Result, SizedKind, SizedValue, SizedValues, opensim_text,
 };
 use ratios::SAME_NUMBER_TOLERANCE;
 
@@ -257,7 +257,7 @@ pub fn moco_bounds(setup: &Document, model: &Model) -> SizedValues {
     found
 }
 
-pub fn refuse_without_moco_phase(setup: &Document) -> Result<(), Fault> {
+pub fn refuse_without_moco_phase(setup: &Document) -> Result<()> {
     let tree = setup.tree();
     if tree.elements().any(|id| tree.name(id) == "MocoPhase") {
         return Ok(());

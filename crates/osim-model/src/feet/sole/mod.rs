@@ -9,7 +9,7 @@ use glam::{DVec2, DVec3};
 use crate::feet::bones::Bone;
 use crate::feet::convex_hull::{convex_hull, sort_and_dedup};
 use crate::feet::default_pose::DefaultPose;
-use crate::feet::fault::FeetFault;
+use crate::feet::fault::{FeetFault, Result};
 use crate::feet::movements::CoordinateValues;
 use crate::feet::sole::footprint::{BonePoint, FootAxes, GroundPoint, spread_bottoms};
 use crate::messages::{readable, shown};
@@ -79,7 +79,7 @@ pub struct SoleSphere {
 /// # Errors
 /// The model has no gravity, the place of a body is not known, the radius is not above 0, no sphere is requested, or bottoms would be
 /// closer than 1 mm.
-pub fn soles(model: &Model, bones: &[Bone], request: &SoleRequest) -> Result<Vec<Sole>, FeetFault> {
+pub fn soles(model: &Model, bones: &[Bone], request: &SoleRequest) -> Result<Vec<Sole>> {
     refuse_bad_request(request)?;
     let up = direction_up(model).ok_or(FeetFault::NoGravity)?;
     let pose = DefaultPose::of(model);
@@ -109,7 +109,7 @@ fn left_to_right(foot: &SoleBodies, pair: &SoleBodies, pose: &DefaultPose) -> Op
     Some(sign * (own - other))
 }
 
-fn refuse_bad_request(request: &SoleRequest) -> Result<(), FeetFault> {
+fn refuse_bad_request(request: &SoleRequest) -> Result<()> {
     let SoleRequest { count, radius_m, pad_m } = *request;
     let wrong = |what, value, expected| Err(FeetFault::Request { what, value, expected });
     if !(1..=MOST_SPHERES).contains(&count) {

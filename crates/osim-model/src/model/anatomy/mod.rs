@@ -11,7 +11,7 @@ use foldhash::{HashMap, HashSet};
 use glam::DVec3;
 
 use crate::model::components::{Carrier, ComponentId, MOST_FRAMES_IN_CHAIN};
-use crate::model::{Fault, Model, MovingPlacement, Placement, Rotation};
+use crate::model::{Model, MovingPlacement, Placement, Result, Rotation};
 pub use coordinate_function::CoordinateFunction;
 pub use joint_motion::Speeds;
 pub use joints::{AnatomyJoint, JointCoordinate, ModelJoint};
@@ -134,7 +134,7 @@ impl Anatomy {
     ///
     /// # Errors
     /// A frame refers to no body, or a radius cannot be scaled.
-    pub fn of(model: &Model) -> Result<Self, Fault> {
+    pub fn of(model: &Model) -> Result<Self> {
         let mut anatomy = Self {
             offsets: model.body_facts.frame_offsets(model.components()).clone(),
             ..Self::without_index(model)

@@ -9,7 +9,7 @@ mod tree;
 use std::borrow::Cow;
 
 use crate::model::components::classes::CountedSets;
-use crate::model::{Document, Fault, FaultKind, FileId};
+use crate::model::{Document, Fault, FaultKind, FileId, Result};
 use crate::xml::{ElementId, TextPosition};
 pub use classes::component_classes;
 pub use tree::{Component, ComponentId, ComponentTree};
@@ -149,7 +149,7 @@ impl Components {
     ///
     /// # Errors
     /// A socket or a location contains an element or comment in its text; OpenSim refuses such a text.
-    pub(crate) fn refuse_broken_texts(&self) -> Result<(), Fault> {
+    pub(crate) fn refuse_broken_texts(&self) -> Result<()> {
         let is_checked = |tag: &str| {
             ["socket_", "connector_"].iter().any(|spelling| tag.starts_with(spelling))
                 || ["mass_center", "body_name"].contains(&tag)
@@ -262,7 +262,7 @@ impl Components {
     ///
     /// # Errors
     /// An offset frame has no parent, or its chain of parents returns to itself.
-    pub(crate) fn base(&self, frame: Option<ComponentId>) -> Result<Carrier, Fault> {
+    pub(crate) fn base(&self, frame: Option<ComponentId>) -> Result<Carrier> {
         let mut at = frame;
         for _ in 0..MOST_FRAMES_IN_CHAIN {
             let Some(id) = at else { return Ok(Carrier::Ground) };

@@ -6,7 +6,7 @@ use foldhash::{HashSet, HashSetExt};
 
 use crate::messages::named;
 use crate::model::components::{Carrier, ComponentId};
-use crate::model::fault::{Fault, FileId};
+use crate::model::fault::{Fault, FileId, Result};
 use crate::model::property::{Class, Property, Value};
 use crate::xml::{ElementId, TextPosition};
 
@@ -97,7 +97,7 @@ impl Sphere {
     ///
     /// # Errors
     /// The text is not a plain number, or the number is not above 0. The error has the place in the file.
-    pub fn radius_m(&self) -> Result<f64, Fault> {
+    pub fn radius_m(&self) -> Result<f64> {
         self.radius.checked().map_err(|fault| fault.at_element(self.path.clone()).in_file(self.file))
     }
 
@@ -105,7 +105,7 @@ impl Sphere {
     ///
     /// # Errors
     /// As of [`Sphere::radius_m`]; and the sphere is an ellipsoid.
-    pub fn round_radius_m(&self) -> Result<f64, Fault> {
+    pub fn round_radius_m(&self) -> Result<f64> {
         if self.radii_m.is_none() {
             return self.radius_m();
         }
@@ -273,7 +273,7 @@ impl Force {
     }
 
     /// The number of `property` in its own unit, if it can be scaled; `None` if the class has no such property.
-    pub fn checked(&self, set: SetId, property: Property) -> Result<Option<f64>, Fault> {
+    pub fn checked(&self, set: SetId, property: Property) -> Result<Option<f64>> {
         let Some(value) = self.value(set, property) else { return Ok(None) };
         value.checked().map(Some).map_err(|fault| fault.at_element(self.path.clone()).in_file(self.file))
     }

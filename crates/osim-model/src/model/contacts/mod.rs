@@ -14,7 +14,7 @@ use contact_scaling::{Contact, ContactValues, SmoothingValues};
 use foldhash::{HashMap, HashMapExt};
 
 use crate::model::components::{Carrier, ComponentId};
-use crate::model::{Fault, Model, Property};
+use crate::model::{Fault, Model, Property, Result};
 use crate::xml::opensim_text;
 pub use force::{Force, ForceId, ForceKind, ParameterSet, SetId, Slot, Sphere, SphereId};
 pub use half_space::{FrameProperty, HalfSpace, Orientation};
@@ -56,12 +56,12 @@ pub struct LoadedSphere {
 ///
 /// # Errors
 /// A value that is not a plain number or outside its domain, with its place; or an ellipsoid.
-pub fn loaded_spheres(model: &Model, forces: &[ForceId]) -> Result<Vec<LoadedSphere>, Fault> {
+pub fn loaded_spheres(model: &Model, forces: &[ForceId]) -> Result<Vec<LoadedSphere>> {
     loaded_spheres_where(model, forces, |_| true)
 }
 
 /// The spheres of [`loaded_spheres`], but without ellipsoids.
-pub fn loaded_round_spheres(model: &Model, forces: &[ForceId]) -> Result<Vec<LoadedSphere>, Fault> {
+pub fn loaded_round_spheres(model: &Model, forces: &[ForceId]) -> Result<Vec<LoadedSphere>> {
     loaded_spheres_where(model, forces, |sphere| sphere.radii_m.is_none())
 }
 
@@ -69,7 +69,7 @@ fn loaded_spheres_where(
     model: &Model,
     forces: &[ForceId],
     wanted: impl Fn(&Sphere) -> bool,
-) -> Result<Vec<LoadedSphere>, Fault> {
+) -> Result<Vec<LoadedSphere>> {
     let mut loaded = Vec::new();
     for &id in forces {
         let Some(force) = model.force(id).filter(|force| force.applies) else { continue };
@@ -92,21 +92,16 @@ fn loaded_spheres_where(
 ///
 /// # Errors
 /// A value is not a plain number or is outside its domain. The error has the place in the file.
-pub fn contact_of_set(force: &Force, surfaces: &Surfaces, set: SetId) -> Result<Contact, Fault> {
+pub fn contact_of_set(force: &Force, surfaces: &Surfaces, set: SetId) -> Result<Contact> {
     contact_of_values(force, surfaces.with_plane(set)?, set)
 }
 
 /// The contact of parameter set `set` with a plane in the set `plane`, which has its own parameters.
-pub fn contact_of_pair(
-    force: &Force,
-    surfaces: &Surfaces,
-    set: SetId,
-    plane: SetId,
-) -> Result<Contact, Fault> {
+pub fn contact_of_pair(force: &Force, surfaces: &Surfaces, set: SetId, plane: SetId) -> Result<Contact> {
     contact_of_values(force, surfaces.mixed(set, plane)?, set)
 }
 
-fn contact_of_values(force: &Force, values: SurfaceValues, set: SetId) -> Result<Contact, Fault> {
+fn contact_of_values(force: &Force, values: SurfaceValues, set: SetId) -> Result<Contact> {
     let SurfaceValues { plane_strain_modulus, dissipation } = values;
     let get = |property| force.checked(set, property);
     let smoothing = match (
@@ -143,7 +138,7 @@ pub struct Surfaces {
 
 impl Surfaces {
     /// Reads modulus and dissipation of every parameter set of `force`.
-    pub fn of(force: &Force) -> Result<Self, Fault> {
+    pub fn of(force: &Force) -> Result<Self> {
         let mut sets = Vec::new();
         for set in force.sets.iter().map(|set| set.id) {
             let plane_strain_modulus = force.checked(set, Property::Stiffness)?.unwrap_or(f64::NAN);
@@ -154,12 +149,12 @@ impl Surfaces {
     }
 
     /// E₁* and α of the contact between parameter set `set` and the plane, as values of two equal surfaces: (A.3), (A.4).
-    pub fn with_plane(&self, set: SetId) -> Result<SurfaceValues, Fault> {
+    pub fn with_plane(&self, set: SetId) -> Result<SurfaceValues> {
         self.mixed(set, self.plane.unwrap_or(set))
     }
 
     /// E₁* and α of two equal surfaces that touch like the surfaces of the sets `set` and `plane`: (A.3), (A.4).
-    pub fn mixed(&self, set: SetId, plane: SetId) -> Result<SurfaceValues, Fault> {
+    pub fn mixed(&self, set: SetId, plane: SetId) -> Result<SurfaceValues> {
         const NO_SURFACE: SurfaceValues = SurfaceValues { plane_strain_modulus: f64::NAN, dissipation: 0.0 };
         let surface = self.sets.get(set.index()).copied().unwrap_or(NO_SURFACE);
         let plane = self.sets.get(plane.index()).copied().unwrap_or(surface);

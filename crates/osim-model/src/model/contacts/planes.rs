@@ -13,7 +13,7 @@ use crate::model::contacts::force::{Force, ParameterSet};
 use crate::model::contacts::half_space::HalfSpace;
 use crate::model::contacts::read::OLD_CONSTANT_TAG;
 use crate::model::contacts::{Sphere, SphereId};
-use crate::model::fault::Fault;
+use crate::model::fault::Result;
 use crate::model::placement::{LevelAxis, Placement, Rotation};
 use crate::model::typed_model::Model;
 use crate::xml::opensim_text::trimmed;
@@ -131,7 +131,7 @@ impl Model {
     }
 
     /// Rotation of a sphere's frame in the body that carries it, through all offset frames between them.
-    pub fn rotation_of(&self, sphere: &Sphere) -> Result<Rotation, Fault> {
+    pub fn rotation_of(&self, sphere: &Sphere) -> Result<Rotation> {
         let components = self.components();
         if !matches!(components.base(sphere.frame_component)?, Carrier::Body(_)) {
             return Ok(Rotation::IDENTITY);

@@ -7,7 +7,7 @@ use crate::model::contacts::force::{
     Force, ForceId, ForceKind, ParameterSet, SetId, Sphere, SphereId, SphereSpelling,
 };
 use crate::model::document::Document;
-use crate::model::fault::{Fault, FaultKind};
+use crate::model::fault::{Fault, FaultKind, Result};
 use crate::model::property::{Class, Property, Value};
 use crate::model::skeleton::Skeleton;
 use crate::xml::opensim_text::{self, is_disabled};
@@ -54,7 +54,7 @@ impl<'r> ContactReader<'r> {
     }
 
     /// Reads all spheres, then all forces, each in file order.
-    pub(crate) fn read(&mut self) -> Result<(), Fault> {
+    pub(crate) fn read(&mut self) -> Result<()> {
         self.components.refuse_broken_texts()?;
         self.record_sockets_of_joints();
         for (id, _) in self.components.tree.iter() {
@@ -76,7 +76,7 @@ impl<'r> ContactReader<'r> {
         Ok(())
     }
 
-    fn add_sphere(&mut self, id: ComponentId, spelling: SphereSpelling) -> Result<(), Fault> {
+    fn add_sphere(&mut self, id: ComponentId, spelling: SphereSpelling) -> Result<()> {
         let (document, element) = (self.components.document_of(id), self.components.element(id));
         let frame = self.frame_of_geometry(id, "frame", &["body_name"])?;
         let radius = document.value(element, spelling.class(), Property::Radius, spelling.radius_tag());
@@ -134,12 +134,7 @@ impl<'r> ContactReader<'r> {
     }
 
     /// The frame to which a contact geometry is attached: its path and the body that carries it.
-    fn frame_of_geometry(
-        &mut self,
-        id: ComponentId,
-        socket: &str,
-        legacy: &[&str],
-    ) -> Result<GeometryFrame, Fault> {
+    fn frame_of_geometry(&mut self, id: ComponentId, socket: &str, legacy: &[&str]) -> Result<GeometryFrame> {
         let Some(connectee) = self.components.connectee(id, socket, legacy) else {
             return Err(self.components.unresolved(id, "", "frame it is attached to"));
         };
@@ -168,7 +163,7 @@ impl<'r> ContactReader<'r> {
         text: &str,
         element: ElementId,
         socket: Option<&str>,
-    ) -> Result<ContactGeometry, Fault> {
+    ) -> Result<ContactGeometry> {
         let accept = |id: ComponentId| {
             let tag = self.components.tag(id);
             socket.map_or_else(|| GEOMETRY_CLASSES.contains(&tag), |class| class == tag)
@@ -227,11 +222,10 @@ impl<'r> ContactReader<'r> {
 
     /// Whether a force is switched on. In documents up to 30508, `isDisabled` also switches a force off; the first of both elements counts.
     /// Later documents ignore `isDisabled`.
-    fn applies(&self, id: ComponentId) -> Result<bool, Fault> {
+    fn applies(&self, id: ComponentId) -> Result<bool> {
         let (document, element) = (self.components.document_of(id), self.components.element(id));
         let tree = document.tree();
-        let is_enabled =
-            |element| -> Result<bool, Fault> { Ok(!is_disabled(&document.whole_text(element)?)) };
+        let is_enabled = |element| -> Result<bool> { Ok(!is_disabled(&document.whole_text(element)?)) };
         if document.version() <= LAST_VERSION_WITH_IS_DISABLED {
             for object in std::iter::once(element).chain(document.defaults_of(element)) {
                 let first =
@@ -246,7 +240,7 @@ impl<'r> ContactReader<'r> {
         Ok(document.flag(element, "appliesForce")?.unwrap_or(true))
     }
 
-    fn add_smooth_force(&mut self, id: ComponentId) -> Result<(), Fault> {
+    fn add_smooth_force(&mut self, id: ComponentId) -> Result<()> {
         let class = Class::SmoothSphereHalfSpaceForce;
         let (document, element) = (self.components.document_of(id), self.components.element(id));
         let mut set = self.parameter_set(document, element, class, None);
@@ -285,7 +279,7 @@ impl<'r> ContactReader<'r> {
     }
 
     /// Adds the sphere inside a force of Moco 0.1 to 0.3: its frame, radius and location are elements of the force.
-    fn add_sphere_inside(&mut self, id: ComponentId) -> Result<SphereId, Fault> {
+    fn add_sphere_inside(&mut self, id: ComponentId) -> Result<SphereId> {
         let (document, element) = (self.components.document_of(id), self.components.element(id));
         let frame = self.frame_of_geometry(id, "sphere_frame", &[])?;
         let tag = SphereSpelling::InsideForce.radius_tag();
@@ -296,7 +290,7 @@ impl<'r> ContactReader<'r> {
         Ok(SphereId(self.spheres.len() - 1))
     }
 
-    fn add_hunt_crossley_force(&mut self, id: ComponentId) -> Result<(), Fault> {
+    fn add_hunt_crossley_force(&mut self, id: ComponentId) -> Result<()> {
         let (document, element) = (self.components.document_of(id), self.components.element(id));
         let mut sets = Vec::new();
         let own_sets = parameter_sets_of(document, element);
@@ -362,7 +356,7 @@ impl<'r> ContactReader<'r> {
         kind: ForceKind,
         sets: Vec<ParameterSet>,
         transition_velocity: Value,
-    ) -> Result<(), Fault> {
+    ) -> Result<()> {
         let applies = self.applies(id).map_err(|fault| self.with_place(id, fault))?;
         self.forces.push(Force {
             id: ForceId(self.forces.len()),

@@ -45,6 +45,9 @@ pub struct Fault {
     pub file: FileId,
 }
 
+/// What a model gives, or why it cannot.
+pub type Result<T, E = Fault> = std::result::Result<T, E>;
+
 /// A handle of one of the files that form a model: the main file, a file that it includes, or a file that the caller gave with it.
 ///
 /// Handles of the other files come from [`Model::companions`](crate::model::Model::companions) and

@@ -10,7 +10,7 @@ use std::ops::Range;
 
 use crate::model::note::content::UnreadableNote;
 use crate::model::note::grammar::{NOTE_BEGIN, NOTE_END, PROGRAM_MARK};
-use crate::model::{Document, Fault, FaultKind, MassRequest, Model, Property, are_equal_masses};
+use crate::model::{Document, Fault, FaultKind, MassRequest, Model, Property, Result, are_equal_masses};
 use crate::xml::opensim_text::{is_white, words};
 use crate::xml::{ElementId, PieceKind};
 
@@ -40,7 +40,7 @@ impl<'d> Credits<'d> {
     ///
     /// # Errors
     /// Text, CDATA and comments are mixed in a way that OpenSim refuses ([`FaultKind::BrokenText`]).
-    pub fn of(document: &'d Document) -> Result<Option<Self>, Fault> {
+    pub fn of(document: &'d Document) -> Result<Option<Self>> {
         let (tree, root) = (document.tree(), document.data_root());
         if tree.name(root) != "Model" {
             return Ok(None);
@@ -168,9 +168,7 @@ impl Note {
     }
 
     /// The note of `document`. `Err` inside if a text begins like a note and cannot be read, or if the credits do not end with it.
-    pub(crate) fn find_or_unreadable(
-        document: &Document,
-    ) -> Result<Option<Result<Self, UnreadableNote>>, Fault> {
+    pub(crate) fn find_or_unreadable(document: &Document) -> Result<Option<Result<Self, UnreadableNote>>> {
         if document.is_model() {
             return Ok(Credits::of(document)?.and_then(|credits| credits.note()));
         }

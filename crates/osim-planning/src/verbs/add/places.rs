@@ -5,7 +5,7 @@ use std::collections::{HashMap, HashSet};
 use std::path::{Path, PathBuf};
 
 use osim_model::feet::{
-    Bone, DefaultPose, FeetFault, MeshFolders, Sole, SoleRequest, TiltingCoordinate, bones, odd_size, soles,
+    DefaultPose, FeetFault, MeshFolders, Sole, SoleRequest, TiltingCoordinate, bones, odd_size, soles,
 };
 use osim_model::files::Files;
 use osim_model::messages::{Input, Phrase, four_significant, phrase, shown};

@@ -8,7 +8,7 @@ use osim_model::messages::{Input, Phrase, Verb, phrase, readable};
 use osim_model::{ForceKind, Selection};
 use osim_patch::reference_of_layout;
 use osim_requests::options::InspectionOptions;
-use osim_requests::{AddRequest, DesignRequest, Metres, NewRadius, RequestError, RequestFault};
+use osim_requests::{AddRequest, DesignRequest, Metres, NewRadius, RequestFault, Result};
 
 use super::bodies::{body_names, table_failure};
 use super::places::{FeetPlaces, NewSpherePlaces, TablePlaces};
@@ -32,10 +32,7 @@ const PAD_ADVICE: &str = "bones have no skin, so give the distance from their lo
 /// # Errors
 /// The places of the contacts or their numbers are not given; the reference is neither a preset with places nor a model with contacts;
 /// a table cannot be read; or options have no effect.
-pub(in crate::verbs) fn prepare(
-    request: AddRequest,
-    files: &dyn Files,
-) -> Result<PreparedChange, RequestError> {
+pub(in crate::verbs) fn prepare(request: AddRequest, files: &dyn Files) -> Result<PreparedChange> {
     refuse_useless_options(&request)?;
     let (source, reference, is_file, remarks) =
         match (places_of_request(&request, files)?, request.from.as_deref()) {
@@ -127,10 +124,7 @@ fn refuse_useless_options(request: &AddRequest) -> Result<(), RequestFault> {
 }
 
 /// The places that the request gives by a table or by bodies of feet; `None` if the places come from the reference.
-fn places_of_request(
-    request: &AddRequest,
-    files: &dyn Files,
-) -> Result<Option<NewSpherePlaces>, RequestError> {
+fn places_of_request(request: &AddRequest, files: &dyn Files) -> Result<Option<NewSpherePlaces>> {
     let radius_m = match request.radius {
         NewRadius::Metres(metres) => Some(metres),
         _ => None,
@@ -168,7 +162,7 @@ fn whole_reference(
     request: &AddRequest,
     from: &Path,
     files: &dyn Files,
-) -> Result<(FromReference, ReferenceState, bool, Vec<Phrase>), RequestError> {
+) -> Result<(FromReference, ReferenceState, bool, Vec<Phrase>)> {
     let (opened, is_file) = open_reference(from, files)?;
     let transfer = transfer(request, from);
     let (reference, state, Some(generic)) =
@@ -193,7 +187,7 @@ fn reference_numbers(
     request: &AddRequest,
     from: &Path,
     files: &dyn Files,
-) -> Result<(ReferenceNumbers, ReferenceState, bool), RequestError> {
+) -> Result<(ReferenceNumbers, ReferenceState, bool)> {
     let (opened, is_file) = open_reference(from, files)?;
     let transfer = transfer(request, from);
     let (reference, state, generic) =

@@ -13,7 +13,7 @@ use osim_patch::{
     ContactLayout, NewContact, Plan, REMARK_PLACES_STAY, RebuiltModel, Reference, add_contacts,
     presets_with_places, reference_of_model,
 };
-use osim_requests::{AddRequest, BodyMap, NewRadius, Radius, RequestError, RequestFault, TransferRequest};
+use osim_requests::{AddRequest, BodyMap, NewRadius, Radius, RequestFault, Result, TransferRequest};
 
 use super::bodies::AddFault;
 use crate::opening::{NamedSource, open, placed_preset};
@@ -372,7 +372,7 @@ fn with_mapped_body(
 }
 
 /// Opens the reference: a preset with places of spheres and this name, else a file. The flag says whether the reference is a file.
-pub(super) fn open_reference(from: &Path, files: &dyn Files) -> Result<(OpenModel, bool), RequestError> {
+pub(super) fn open_reference(from: &Path, files: &dyn Files) -> Result<(OpenModel, bool)> {
     if let Some(preset) = placed_preset(from)? {
         return Ok((preset, false));
     }
