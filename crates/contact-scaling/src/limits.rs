@@ -41,10 +41,6 @@ impl Limit {
         Self { value, bound: Bound::AtMost, what, source }
     }
 
-    const fn at_least(value: f64, what: &'static str, source: &'static str) -> Self {
-        Self { value, bound: Bound::AtLeast, what, source }
-    }
-
     /// Whether `figure` is within the limit, or beyond it by at most 1e-9 of the limit; false for NaN.
     pub fn admits(&self, figure: f64) -> bool {
         match self.bound {
@@ -83,11 +79,12 @@ pub const INDENTATION: Limit = Limit::at_most(
 );
 
 /// The smallest restitution c_r for which the Hunt–Crossley law is accurate.
-pub const RESTITUTION: Limit = Limit::at_least(
-    0.8,
-    "coefficient of restitution by (13)",
-    "Hunt and Crossley (1975), as cited in section 4.2 of the paper: below it their law is not accurate",
-);
+pub const RESTITUTION: Limit = Limit {
+    value: 0.8,
+    bound: Bound::AtLeast,
+    what: "coefficient of restitution by (13)",
+    source: "Hunt and Crossley (1975), as cited in section 4.2 of the paper: below it their law is not accurate",
+};
 
 /// The largest constant relative indentation x̂_c = √cf / R that the paper recommends, without unit; 0.05 if x̂ ≤ 0.16 is wanted.
 pub const CONSTANT_INDENTATION: Limit = Limit::at_most(

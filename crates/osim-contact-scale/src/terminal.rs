@@ -104,11 +104,6 @@ impl Terminal {
         without_closed_pipe(written)
     }
 
-    /// Whether standard output can show letters beyond ASCII; files and pipes always can.
-    pub(crate) fn shows_unicode() -> bool {
-        supports_unicode::on(supports_unicode::Stream::Stdout)
-    }
-
     /// Columns of standard output; `None` if lines are not broken, as in files and pipes.
     pub(crate) fn columns(&self) -> Option<usize> {
         self.out

@@ -32,7 +32,7 @@ pub struct Inspector {
     /// The generic model, if the request names one. If it cannot be read, each model fails.
     generic: Option<Result<GenericModel, Failure>>,
     /// The files of the generic model, if `check` compares the places of spheres with it. (`inspect` compares the sizes of bodies instead.)
-    place_reference: Option<ReferenceFiles>,
+    place_reference: Option<(PathBuf, Option<PathBuf>)>,
     /// All files that are read in addition to the models.
     pub extra_files: Vec<PathBuf>,
     /// A mass, kg. The inspection lists the other numbers of the model that would follow a body of this mass.
@@ -63,12 +63,6 @@ struct GenericModel {
     fault: Option<Phrase>,
     /// Whether the bodies have the mass for which the contacts were published; `None` if the contacts are not published ones.
     fits_contacts: Option<bool>,
-}
-
-/// The files that show the right places of spheres.
-struct ReferenceFiles {
-    from: PathBuf,
-    body_scale_file: Option<PathBuf>,
 }
 
 /// Reads the generic model, and the ScaleSet beside it if there is one.
@@ -157,12 +151,7 @@ impl Inspector {
         let setups = request.moco_setup.iter().chain(&request.from_moco_setup);
         let extra_files =
             plain.extra_files.iter().chain([&from]).chain(&file).chain(setups).cloned().collect();
-        Self {
-            generic,
-            place_reference: Some(ReferenceFiles { from, body_scale_file: file }),
-            extra_files,
-            ..plain
-        }
+        Self { generic, place_reference: Some((from, file)), extra_files, ..plain }
     }
 
     /// An inspector with these options, which compares with no other file.
@@ -286,12 +275,13 @@ impl Inspector {
 
     /// Adds to the inspection how the places of spheres and the contacts differ from the generic model, if `check` names one.
     fn add_comparison(&self, model: &Model, inspection: &mut Inspection) {
-        let (Some(Ok(generic)), Some(files)) = (&self.generic, &self.place_reference) else { return };
-        let (from, scale_file) = (&files.from, files.body_scale_file.as_deref());
+        let (Some(Ok(generic)), Some((from, scale_file))) = (&self.generic, &self.place_reference) else {
+            return;
+        };
         let mass = self.options.masses.model_mass(model).ok().zip(generic.contacts_kg);
         let ratios = mass.and_then(|(mass, contacts_kg)| Ratios::isometric(mass.kg / contacts_kg).ok());
         let radius_ratio = ratios.map(|ratios| ratios.radius());
-        let file = generic.file.as_ref();
+        let (file, scale_file) = (generic.file.as_ref(), scale_file.as_deref());
         let mut placement =
             SpherePlacements::compare(model, from, scale_file, &generic.anatomy, file, radius_ratio);
         let fits = (fits_known_contacts(inspection), generic.fits_contacts);

@@ -304,7 +304,8 @@ impl CheckedMotion {
             Err(RequestError::Fault(fault)) => Err(fault.phrase()),
         };
         let correction = judged.as_ref().ok().and_then(|judged| judged.correction.as_ref());
-        let remark = correction.and_then(|one| horizontal_error(&one.figures)).map(rules::horizontal_error);
+        let horizontal = correction.and_then(|one| horizontal_error(&one.figures));
+        let remark = horizontal.map(|text| Finding::new(&rules::HORIZONTAL_ERROR, text));
         let weight = weight.filter(|_| correction.is_some()).map(|text| text + "; ").unwrap_or_default();
         let record = judged.as_ref().ok().map(|judged| judged.record(judged.why.to_string()));
         let answer = judged.map(|judged| match (judged.verdict, phrase![weight, &judged.why]) {

@@ -8,7 +8,7 @@ use contact_scaling::{RatioValues, Ratios};
 use osim_inspect::{Bottom, SizeList, StandingBody};
 use osim_model::feet::{DefaultPose, FootBodies, MeshFolders, odd_meshes};
 use osim_model::files::Files;
-use osim_model::messages::{Phrase, four_significant, readable, shown, three_significant};
+use osim_model::messages::{four_significant, readable, shown, three_significant};
 use osim_model::rule;
 use osim_model::{
     Anatomy, Example, Finding, FindingCode, Model, Repair, Rule, loaded_round_spheres, root_mean_square,
@@ -246,16 +246,11 @@ rule! { pub(crate) LARGE_CORRECTION: LargeCorrection, Remark, Recording;
         bad: r#"{"verb": "check", "models": ["motion/walker.osim"], "motion": "motion/pitched.mot", "plates": "motion/plates.sto"}"# },
 }
 
-rule! { HORIZONTAL_ERROR: HorizontalError, Remark;
+rule! { pub(crate) HORIZONTAL_ERROR: HorizontalError, Remark;
     what: "After the correction, a foot's horizontal force is further from the plates than if nothing touched.",
     why: "Friction follows the slip of the spheres, and small jumps of a motion that was not smoothed are slip. The verdict on the recording is made of the vertical force and of the size of the correction.",
     advice: "Smooth the motion: `motion MODEL low_pass=10 correct=FILE`, with the motion and its plates",
     repair: Repair::NotPossible("the recording is as it is"),
     example: Example::InWords { good: "The motion was smoothed with a cutoff of 10 Hz",
         bad: "The motion is that of inverse kinematics, and markers jump from frame to frame" },
-}
-
-/// The finding that horizontal forces are further from the plates than without contacts; `text` is its message.
-pub(crate) fn horizontal_error(text: Phrase) -> Finding {
-    Finding::new(&HORIZONTAL_ERROR, text)
 }

@@ -28,7 +28,6 @@ use osim_view::report::results::{
 
 use crate::exit::Exit;
 use crate::one_call::Session;
-use crate::terminal::Terminal;
 
 /// Calculates a design and prints its values.
 ///
@@ -183,7 +182,9 @@ fn output_files(
 /// The topic is neither an equation nor a code.
 pub(crate) fn explain(request: &ExplainRequest, session: &mut Session) -> Result<Exit> {
     let words = session.words;
-    let letters = if Terminal::shows_unicode() { Alphabet::Unicode } else { Alphabet::Ascii };
+    // Files and pipes always show letters beyond ASCII.
+    let is_unicode = supports_unicode::on(supports_unicode::Stream::Stdout);
+    let letters = if is_unicode { Alphabet::Unicode } else { Alphabet::Ascii };
     let width = session.terminal.columns().unwrap_or(WIDTH);
     let shown = answer(request, letters, words, width).map_err(|unknown| anyhow!(unknown.message(words)))?;
     session.terminal.print_as(&shown, request.format == Format::Json)?;

@@ -255,11 +255,6 @@ impl CheckResult {
         last.and_then(|last| self.steps.get(..=last)).unwrap_or_default()
     }
 
-    /// Whether there is a finding of this severity, or of a worse one.
-    pub fn has_severity(&self, severity: Severity) -> bool {
-        self.findings.iter().any(|finding| finding.severity >= severity)
-    }
-
     /// Writes all texts of the result in the words of a front end.
     pub fn spell(&mut self, speller: &dyn Speller) {
         self.verdicts.iter_mut().for_each(|verdict| verdict.text.spell(speller));

@@ -234,10 +234,6 @@ impl<'j> WeldedGroups<'j> {
 
     /// One body for all bodies that are welded to `body`; `None` is ground.
     fn representative(&self, body: Option<&'j str>) -> Option<&'j str> {
-        let mut at = body;
-        while let Some(&next) = self.representatives.get(&at) {
-            at = next;
-        }
-        at
+        std::iter::successors(Some(body), |at| self.representatives.get(at).copied()).last().unwrap_or(body)
     }
 }
