@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use crate::error::{DomainError, require_non_negative, require_positive};
+use crate::error::{Result, require_non_negative, require_positive};
 use crate::{Ratios, Scale, ScaleValues, SmoothingValues};
 
 /// 2^(3/2), without unit: E₁* of each of two equal surfaces divided by their composite E*, by OpenSim's mixing rule (A.3), (A.4).
@@ -36,8 +36,8 @@ impl Contact {
     /// Checks the parameters and makes a contact of them.
     ///
     /// # Errors
-    /// [`DomainError`] unless E₁* > 0, α ≥ 0, cf ≥ 0, bd > 0 and bv > 0, all finite.
-    pub fn new(values: ContactValues) -> Result<Self, DomainError> {
+    /// [`DomainError`](crate::DomainError) unless E₁* > 0, α ≥ 0, cf ≥ 0, bd > 0 and bv > 0, all finite.
+    pub fn new(values: ContactValues) -> Result<Self> {
         require_positive("plane strain modulus", values.plane_strain_modulus)?;
         require_non_negative("dissipation", values.dissipation)?;
         if let Some(smoothing) = values.smoothing {
@@ -122,8 +122,8 @@ impl Friction {
     /// Checks the friction parameters and makes a friction of them.
     ///
     /// # Errors
-    /// [`DomainError`] unless the coefficients and the transition velocity are finite and 0 or above.
-    pub fn new(values: FrictionValues) -> Result<Self, DomainError> {
+    /// [`DomainError`](crate::DomainError) unless the coefficients and the transition velocity are finite and 0 or above.
+    pub fn new(values: FrictionValues) -> Result<Self> {
         require_non_negative("static friction", values.static_friction)?;
         require_non_negative("dynamic friction", values.dynamic_friction)?;
         require_non_negative("viscous friction", values.viscous_friction)?;

@@ -4,7 +4,7 @@
 //! with compliant contacts. Then E* is raised and α lowered step by step; each solution is the initial guess for the next
 //! optimisation.
 
-use crate::error::{DomainError, require_positive, require_range};
+use crate::error::{Result, require_positive, require_range};
 
 /// The contact for one optimisation of a series, as factors of the final contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -33,7 +33,7 @@ const SOFTEST: f64 = 0.75;
 /// Source: (11), (B.3).
 ///
 /// # Errors
-/// [`DomainError`] unless both are finite and above 0.
+/// [`DomainError`](crate::DomainError) unless both are finite and above 0.
 ///
 /// ```
 /// # use contact_scaling::continuation::modulus_ratio;
@@ -41,7 +41,7 @@ const SOFTEST: f64 = 0.75;
 /// assert!((1.0 / modulus_ratio(1.2, 9.375)? - 21.8366).abs() < 5e-4);
 /// # Ok::<(), contact_scaling::DomainError>(())
 /// ```
-pub fn modulus_ratio(stiffness_a: f64, stiffness_b: f64) -> Result<f64, DomainError> {
+pub fn modulus_ratio(stiffness_a: f64, stiffness_b: f64) -> Result<f64> {
     let a = require_positive("dimensionless stiffness", stiffness_a)?;
     let ratio = a / require_positive("dimensionless stiffness", stiffness_b)?;
     Ok(ratio * ratio.sqrt())
@@ -55,7 +55,7 @@ pub fn modulus_ratio(stiffness_a: f64, stiffness_b: f64) -> Result<f64, DomainEr
 /// crate.
 ///
 /// # Errors
-/// [`DomainError`] unless 0.75 ≤ `first` < `last`, `dissipation_ratio` ≥ 1, all finite, and 2 ≤ `count` ≤ [`MOST_STEPS`].
+/// [`DomainError`](crate::DomainError) unless 0.75 ≤ `first` < `last`, `dissipation_ratio` ≥ 1, all finite, and 2 ≤ `count` ≤ [`MOST_STEPS`].
 ///
 /// ```
 /// use contact_scaling::continuation::steps;
@@ -65,7 +65,7 @@ pub fn modulus_ratio(stiffness_a: f64, stiffness_b: f64) -> Result<f64, DomainEr
 /// assert_eq!(steps[2].modulus_factor, 1.0);
 /// # Ok::<(), contact_scaling::DomainError>(())
 /// ```
-pub fn steps(first: f64, last: f64, dissipation_ratio: f64, count: u32) -> Result<Vec<Step>, DomainError> {
+pub fn steps(first: f64, last: f64, dissipation_ratio: f64, count: u32) -> Result<Vec<Step>> {
     let last = require_positive("dimensionless stiffness of the last step", last)?;
     let (name, wanted) =
         ("dimensionless stiffness of the first step", "0.75 or more, and less than the last");
@@ -73,7 +73,7 @@ pub fn steps(first: f64, last: f64, dissipation_ratio: f64, count: u32) -> Resul
     let ratio = require_positive("ratio of the dissipations", dissipation_ratio)?;
     require_range(ratio >= 1.0, "ratio of the dissipations", ratio, "1 or more")?;
     require_range((2..=MOST_STEPS).contains(&count), "number of steps", f64::from(count), "2 to 100000")?;
-    let step = |index: u32| -> Result<Step, DomainError> {
+    let step = |index: u32| -> Result<Step> {
         if index + 1 == count {
             return Ok(Step { dimensionless_stiffness: last, modulus_factor: 1.0, dissipation_factor: 1.0 });
         }

@@ -4,11 +4,11 @@
 //! [`crate::modulus::of_equal_surfaces`].
 
 use crate::SharedLoad;
-use crate::error::{DomainError, require_positive, require_range};
+use crate::error::{Result, require_positive, require_range};
 use crate::hertz::depth;
 
 /// `relative_indentation`, if 0 < x̂ ≤ 1.
-fn checked_indentation(relative_indentation: f64) -> Result<f64, DomainError> {
+fn checked_indentation(relative_indentation: f64) -> Result<f64> {
     let ok = relative_indentation > 0.0 && relative_indentation <= 1.0;
     require_range(ok, "relative indentation", relative_indentation, "a number above 0, at most 1")
 }
@@ -20,7 +20,7 @@ fn checked_indentation(relative_indentation: f64) -> Result<f64, DomainError> {
 /// Source: (11), which is (3) solved for E*.
 ///
 /// # Errors
-/// [`DomainError`] unless R is finite and above 0 and x̂ in its range.
+/// [`DomainError`](crate::DomainError) unless R is finite and above 0 and x̂ in its range.
 ///
 /// ```
 /// # use contact_scaling::{SharedLoad, design};
@@ -28,11 +28,7 @@ fn checked_indentation(relative_indentation: f64) -> Result<f64, DomainError> {
 /// assert!((design::composite_modulus(0.032, 0.3533, &human)? / 0.354e6 - 1.0).abs() < 2e-3); // Table 1
 /// # Ok::<(), contact_scaling::DomainError>(())
 /// ```
-pub fn composite_modulus(
-    radius_m: f64,
-    relative_indentation: f64,
-    load: &SharedLoad,
-) -> Result<f64, DomainError> {
+pub fn composite_modulus(radius_m: f64, relative_indentation: f64, load: &SharedLoad) -> Result<f64> {
     let radius = require_positive("sphere radius", radius_m)?;
     let x = checked_indentation(relative_indentation)?;
     Ok(0.75 * load.per_sphere_n() / (radius * radius * (x * x.sqrt())))
@@ -46,7 +42,7 @@ pub fn composite_modulus(
 /// Source: (11), solved for x̂.
 ///
 /// # Errors
-/// [`DomainError`] unless E* and R are finite and above 0.
+/// [`DomainError`](crate::DomainError) unless E* and R are finite and above 0.
 ///
 /// ```
 /// # use contact_scaling::{SharedLoad, design};
@@ -54,11 +50,7 @@ pub fn composite_modulus(
 /// assert!((design::relative_indentation(353_553.39, 0.032, &human)? - 0.3533).abs() < 5e-5);
 /// # Ok::<(), contact_scaling::DomainError>(())
 /// ```
-pub fn relative_indentation(
-    composite_modulus_n_m2: f64,
-    radius_m: f64,
-    load: &SharedLoad,
-) -> Result<f64, DomainError> {
+pub fn relative_indentation(composite_modulus_n_m2: f64, radius_m: f64, load: &SharedLoad) -> Result<f64> {
     let modulus = require_positive("composite modulus", composite_modulus_n_m2)?;
     let radius = require_positive("sphere radius", radius_m)?;
     Ok(relative_depth(load.per_sphere_n(), modulus, radius))
@@ -76,7 +68,7 @@ pub(crate) fn relative_depth(load: f64, modulus: f64, radius: f64) -> f64 {
 /// Source: (11) with (B.2).
 ///
 /// # Errors
-/// [`DomainError`] unless k is finite and above 0 and x̂ in its range.
+/// [`DomainError`](crate::DomainError) unless k is finite and above 0 and x̂ in its range.
 ///
 /// ```
 /// # use contact_scaling::{SharedLoad, design};
@@ -84,11 +76,7 @@ pub(crate) fn relative_depth(load: f64, modulus: f64, radius: f64) -> f64 {
 /// assert!((design::radius_for_stiffness(13_449.5, 0.3533, &human)? - 0.032).abs() < 1e-5);
 /// # Ok::<(), contact_scaling::DomainError>(())
 /// ```
-pub fn radius_for_stiffness(
-    stiffness_n_m: f64,
-    relative_indentation: f64,
-    load: &SharedLoad,
-) -> Result<f64, DomainError> {
+pub fn radius_for_stiffness(stiffness_n_m: f64, relative_indentation: f64, load: &SharedLoad) -> Result<f64> {
     let k = require_positive("contact stiffness", stiffness_n_m)?;
     Ok(1.5 * load.per_sphere_n() / (k * checked_indentation(relative_indentation)?))
 }
@@ -100,7 +88,7 @@ pub fn radius_for_stiffness(
 /// Source: (B.2), solved for E*.
 ///
 /// # Errors
-/// [`DomainError`] unless k and R are finite and above 0 and x̂ in its range.
+/// [`DomainError`](crate::DomainError) unless k and R are finite and above 0 and x̂ in its range.
 ///
 /// ```
 /// # use contact_scaling::design;
@@ -111,7 +99,7 @@ pub fn composite_modulus_for_stiffness(
     stiffness_n_m: f64,
     radius_m: f64,
     relative_indentation: f64,
-) -> Result<f64, DomainError> {
+) -> Result<f64> {
     let k = require_positive("contact stiffness", stiffness_n_m)?;
     let radius = require_positive("sphere radius", radius_m)?;
     Ok(k / (2.0 * radius * checked_indentation(relative_indentation)?.sqrt()))

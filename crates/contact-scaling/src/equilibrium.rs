@@ -3,7 +3,7 @@
 //! The spheres touch one plane. Either their bottoms are at one height, so that all have the same indentation x, whatever their
 //! radii; or the bottoms are at different heights ([`RaisedSpheres`]).
 
-use crate::error::{DomainError, require_positive, require_range};
+use crate::error::{Result, require_positive, require_range};
 use crate::hertz::depth;
 use crate::{Law, Spheres};
 
@@ -14,7 +14,7 @@ use crate::{Law, Spheres};
 /// Source: (1) summed over the spheres, solved for x.
 ///
 /// # Errors
-/// [`DomainError`] unless F is finite and above 0 and there is a sphere.
+/// [`DomainError`](crate::DomainError) unless F is finite and above 0 and there is a sphere.
 ///
 /// ```
 /// # use contact_scaling::{Law, Spheres, equilibrium, falisse2022};
@@ -22,7 +22,7 @@ use crate::{Law, Spheres};
 /// assert!((equilibrium::hertz_indentation(&human, 62.0 * 9.81)? / 0.032 - 0.3533).abs() < 5e-5);
 /// # Ok::<(), contact_scaling::DomainError>(())
 /// ```
-pub fn hertz_indentation(spheres: &[Spheres], load_n: f64) -> Result<f64, DomainError> {
+pub fn hertz_indentation(spheres: &[Spheres], load_n: f64) -> Result<f64> {
     let load = require_positive("load", load_n)?;
     let sum: f64 = spheres.iter().map(|s| s.count() * s.law().hertz().coefficient()).sum();
     Ok(depth(load, require_positive("sum of force coefficients", sum)?))
@@ -36,7 +36,7 @@ pub fn hertz_indentation(spheres: &[Spheres], load_n: f64) -> Result<f64, Domain
 /// Source: (C.9) at ẋ = 0 summed over the spheres, solved for x.
 ///
 /// # Errors
-/// [`DomainError`] unless F is finite and above 0, there is a sphere, and an indentation carries F.
+/// [`DomainError`](crate::DomainError) unless F is finite and above 0, there is a sphere, and an indentation carries F.
 ///
 /// ```
 /// # use contact_scaling::{Law, Spheres, equilibrium, falisse2022};
@@ -44,7 +44,7 @@ pub fn hertz_indentation(spheres: &[Spheres], load_n: f64) -> Result<f64, Domain
 /// assert!((equilibrium::indentation(&human, 62.0 * 9.81)? / 0.032 - 0.3396).abs() < 5e-5);
 /// # Ok::<(), contact_scaling::DomainError>(())
 /// ```
-pub fn indentation(spheres: &[Spheres], load_n: f64) -> Result<f64, DomainError> {
+pub fn indentation(spheres: &[Spheres], load_n: f64) -> Result<f64> {
     let hertz = hertz_indentation(spheres, load_n)?;
     let level: Vec<RaisedSpheres> =
         spheres.iter().map(|&spheres| RaisedSpheres { spheres, height_m: 0.0 }).collect();
@@ -58,7 +58,7 @@ pub fn indentation(spheres: &[Spheres], load_n: f64) -> Result<f64, DomainError>
 /// Source: (1) summed over the spheres, each at its own height, solved for x.
 ///
 /// # Errors
-/// [`DomainError`] unless F is finite and above 0 and there is a sphere.
+/// [`DomainError`](crate::DomainError) unless F is finite and above 0 and there is a sphere.
 ///
 /// ```
 /// # use contact_scaling::{Law, Spheres, falisse2022};
@@ -72,7 +72,7 @@ pub fn indentation(spheres: &[Spheres], load_n: f64) -> Result<f64, DomainError>
 /// assert!((force(x, 2.0) + force(x - 0.002, 4.0) - 62.0 * 9.81).abs() < 1e-4);
 /// # Ok::<(), contact_scaling::DomainError>(())
 /// ```
-pub fn hertz_indentation_of_lowest(spheres: &[RaisedSpheres], load_n: f64) -> Result<f64, DomainError> {
+pub fn hertz_indentation_of_lowest(spheres: &[RaisedSpheres], load_n: f64) -> Result<f64> {
     let load = require_positive("load", load_n)?;
     // As deep as if all were as high as the highest.
     let sum: f64 = spheres.iter().map(|s| s.spheres.count() * s.spheres.law().hertz().coefficient()).sum();
@@ -100,7 +100,7 @@ pub fn hertz_indentation_of_lowest(spheres: &[RaisedSpheres], load_n: f64) -> Re
 /// Source: (C.9) at ẋ = 0 summed over the spheres, each at its own height, solved for x.
 ///
 /// # Errors
-/// [`DomainError`] unless F is finite and above 0, there is a sphere, and an indentation carries F.
+/// [`DomainError`](crate::DomainError) unless F is finite and above 0, there is a sphere, and an indentation carries F.
 ///
 /// ```
 /// # use contact_scaling::{Law, Spheres, falisse2022};
@@ -111,7 +111,7 @@ pub fn hertz_indentation_of_lowest(spheres: &[RaisedSpheres], load_n: f64) -> Re
 /// assert!((equilibrium::indentation_of_lowest(&level, 62.0 * 9.81)? / 0.032 - 0.3396).abs() < 5e-5);
 /// # Ok::<(), contact_scaling::DomainError>(())
 /// ```
-pub fn indentation_of_lowest(spheres: &[RaisedSpheres], load_n: f64) -> Result<f64, DomainError> {
+pub fn indentation_of_lowest(spheres: &[RaisedSpheres], load_n: f64) -> Result<f64> {
     first_equilibrium(spheres, load_n, hertz_indentation_of_lowest(spheres, load_n)?)
 }
 
@@ -131,15 +131,15 @@ impl RaisedSpheres {
     /// `spheres` with their bottoms `height_m` (m) above the bottom of the lowest sphere.
     ///
     /// # Errors
-    /// [`DomainError`] unless the height is finite and not below 0.
-    pub fn new(spheres: Spheres, height_m: f64) -> Result<Self, DomainError> {
+    /// [`DomainError`](crate::DomainError) unless the height is finite and not below 0.
+    pub fn new(spheres: Spheres, height_m: f64) -> Result<Self> {
         require_range(height_m.is_finite() && height_m >= 0.0, "height", height_m, "finite and not below 0")?;
         Ok(Self { spheres, height_m })
     }
 }
 
 /// The smallest indentation (m) at which the spheres carry the load at speed 0. `hertz` is the indentation by the Hertz law, m.
-fn first_equilibrium(spheres: &[RaisedSpheres], load_n: f64, hertz: f64) -> Result<f64, DomainError> {
+fn first_equilibrium(spheres: &[RaisedSpheres], load_n: f64, hertz: f64) -> Result<f64> {
     let Some(step) = smallest_transition(spheres) else { return Ok(hertz) };
     let mut in_reach: Vec<(f64, &RaisedSpheres)> = spheres.iter().map(|s| (force_free_depth(s), s)).collect();
     in_reach.sort_by(|a, b| a.0.total_cmp(&b.0));

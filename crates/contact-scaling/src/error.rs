@@ -16,6 +16,9 @@ pub enum DomainError {
     },
 }
 
+/// What an equation gives, or why it refuses its numbers.
+pub type Result<T, E = DomainError> = std::result::Result<T, E>;
+
 impl DomainError {
     /// The quantity that was refused: `"sphere radius"`.
     pub fn quantity(&self) -> &'static str {
@@ -42,27 +45,27 @@ pub(crate) fn require_range(
     quantity: &'static str,
     value: f64,
     expected: &'static str,
-) -> Result<f64, DomainError> {
+) -> Result<f64> {
     if ok { Ok(value) } else { Err(DomainError::OutOfRange { quantity, value, expected }) }
 }
 
 /// Returns `value` if it is finite, else an error with the name of the quantity.
-pub(crate) fn require_finite(quantity: &'static str, value: f64) -> Result<f64, DomainError> {
+pub(crate) fn require_finite(quantity: &'static str, value: f64) -> Result<f64> {
     require_range(value.is_finite(), quantity, value, "a finite number")
 }
 
 /// `value`, if it is finite and above 0.
-pub(crate) fn require_positive(quantity: &'static str, value: f64) -> Result<f64, DomainError> {
+pub(crate) fn require_positive(quantity: &'static str, value: f64) -> Result<f64> {
     require_range(value.is_finite() && value > 0.0, quantity, value, "a finite number above 0")
 }
 
 /// `value`, if it is finite and not below 0.
-pub(crate) fn require_non_negative(quantity: &'static str, value: f64) -> Result<f64, DomainError> {
+pub(crate) fn require_non_negative(quantity: &'static str, value: f64) -> Result<f64> {
     require_range(value.is_finite() && value >= 0.0, quantity, value, "a finite number, 0 or above")
 }
 
 /// `value`, if it is finite and not below 1.
-pub(crate) fn require_at_least_one(quantity: &'static str, value: f64) -> Result<f64, DomainError> {
+pub(crate) fn require_at_least_one(quantity: &'static str, value: f64) -> Result<f64> {
     require_range(value.is_finite() && value >= 1.0, quantity, value, "a finite number, 1 or above")
 }
 

@@ -1,7 +1,7 @@
 //! The Hertz law of a sphere, (1) to (3), (B.1), (B.2), and the law of Hunt and Crossley (12), which adds dissipation.
 
 use crate::Contact;
-use crate::error::{DomainError, require_non_negative, require_positive};
+use crate::error::{Result, require_non_negative, require_positive};
 
 /// The values of the Hertz law of one sphere, by name and not yet checked.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -29,8 +29,8 @@ impl Hertz {
     /// Checks the values and makes a law of them.
     ///
     /// # Errors
-    /// [`DomainError`] unless E*, R and η are finite and above 0.
-    pub fn new(values: HertzValues) -> Result<Self, DomainError> {
+    /// [`DomainError`](crate::DomainError) unless E*, R and η are finite and above 0.
+    pub fn new(values: HertzValues) -> Result<Self> {
         require_positive("composite modulus", values.composite_modulus)?;
         require_positive("sphere radius", values.radius_m)?;
         require_positive("shape factor", values.shape_factor)?;
@@ -43,7 +43,7 @@ impl Hertz {
     ///
     /// # Errors
     /// As [`Hertz::new`].
-    pub fn sphere(composite_modulus: f64, radius_m: f64) -> Result<Self, DomainError> {
+    pub fn sphere(composite_modulus: f64, radius_m: f64) -> Result<Self> {
         Self::new(HertzValues { composite_modulus, radius_m, shape_factor: 1.0 })
     }
 
@@ -51,7 +51,7 @@ impl Hertz {
     ///
     /// # Errors
     /// As [`Hertz::new`].
-    pub fn of(contact: &Contact, radius_m: f64) -> Result<Self, DomainError> {
+    pub fn of(contact: &Contact, radius_m: f64) -> Result<Self> {
         Self::sphere(contact.composite_modulus(), radius_m)
     }
 
@@ -144,7 +144,7 @@ impl Hertz {
     /// Source: (1), solved for x.
     ///
     /// # Errors
-    /// [`DomainError`] if the force is negative or not finite, because the law never pulls.
+    /// [`DomainError`](crate::DomainError) if the force is negative or not finite, because the law never pulls.
     ///
     /// ```
     /// # use contact_scaling::Hertz;
@@ -152,7 +152,7 @@ impl Hertz {
     /// assert!((law.indentation_from_force(31250.0)? - 0.0625).abs() < 1e-16);
     /// # Ok::<(), contact_scaling::DomainError>(())
     /// ```
-    pub fn indentation_from_force(&self, force_n: f64) -> Result<f64, DomainError> {
+    pub fn indentation_from_force(&self, force_n: f64) -> Result<f64> {
         Ok(depth(require_non_negative("force", force_n)?, self.coefficient))
     }
 
@@ -214,8 +214,8 @@ impl HuntCrossley {
     /// A Hertz law with the dissipation α (s/m).
     ///
     /// # Errors
-    /// [`DomainError`] unless α is finite and 0 or above.
-    pub fn new(hertz: Hertz, dissipation: f64) -> Result<Self, DomainError> {
+    /// [`DomainError`](crate::DomainError) unless α is finite and 0 or above.
+    pub fn new(hertz: Hertz, dissipation: f64) -> Result<Self> {
         Ok(Self { hertz, dissipation: require_non_negative("dissipation", dissipation)? })
     }
 
@@ -224,7 +224,7 @@ impl HuntCrossley {
     ///
     /// # Errors
     /// As [`Hertz::of`].
-    pub fn of(contact: &Contact, radius_m: f64) -> Result<Self, DomainError> {
+    pub fn of(contact: &Contact, radius_m: f64) -> Result<Self> {
         Self::new(Hertz::of(contact, radius_m)?, contact.dissipation())
     }
 

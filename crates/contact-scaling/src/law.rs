@@ -1,7 +1,7 @@
 //! The common type of the two contact laws, and the spheres of a body.
 
 use crate::error::require_positive;
-use crate::{Contact, DomainError, Hertz, HuntCrossley, SmoothSphere};
+use crate::{Contact, Hertz, HuntCrossley, Result, SmoothSphere};
 
 /// The normal force of one sphere, by the force class of the model.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -25,7 +25,7 @@ impl Law {
     ///
     /// # Errors
     /// As [`Hertz::of`].
-    pub fn of(contact: &Contact, radius_m: f64) -> Result<Self, DomainError> {
+    pub fn of(contact: &Contact, radius_m: f64) -> Result<Self> {
         Ok(match contact.smoothing() {
             Some(_) => Self::Smooth(SmoothSphere::of(contact, radius_m)?),
             None => Self::HuntCrossley(HuntCrossley::of(contact, radius_m)?),
@@ -84,8 +84,8 @@ impl Law {
     /// This law with another α (s/m).
     ///
     /// # Errors
-    /// [`DomainError`] unless α is finite and 0 or above.
-    pub fn with_dissipation(&self, dissipation: f64) -> Result<Self, DomainError> {
+    /// [`DomainError`](crate::DomainError) unless α is finite and 0 or above.
+    pub fn with_dissipation(&self, dissipation: f64) -> Result<Self> {
         Ok(match self {
             Self::HuntCrossley(law) => Self::HuntCrossley(HuntCrossley::new(*law.hertz(), dissipation)?),
             Self::Smooth(law) => Self::Smooth(SmoothSphere::new(*law.hertz(), dissipation, law.smoothing())?),
@@ -114,8 +114,8 @@ impl Spheres {
     /// `count` spheres of this law.
     ///
     /// # Errors
-    /// [`DomainError`] unless the count is finite and above 0.
-    pub fn new(law: Law, count: f64) -> Result<Self, DomainError> {
+    /// [`DomainError`](crate::DomainError) unless the count is finite and above 0.
+    pub fn new(law: Law, count: f64) -> Result<Self> {
         Ok(Self { law, count: require_positive("number of spheres", count)? })
     }
 

@@ -61,7 +61,7 @@ pub use contact::{
 };
 pub use dimensionless::DimensionlessContact;
 pub use equations::Equation;
-pub use error::DomainError;
+pub use error::{DomainError, Result};
 pub use hertz::{Hertz, HertzValues, HuntCrossley};
 pub use law::{Law, Spheres};
 pub use scale::{RatioValues, Ratios, Scale, ScaleValues, SharedLoad};

@@ -1,6 +1,6 @@
 //! Spheres of different radii with one common modulus.
 
-use crate::error::{DomainError, require_positive};
+use crate::error::{Result, require_positive};
 
 /// Mean of the squared radii, Σ R_i² / n, in m²: it replaces R² in (10) for spheres with one common `stiffness`.
 ///
@@ -10,14 +10,14 @@ use crate::error::{DomainError, require_positive};
 /// Source: (3) summed over spheres of equal x̂ and E*.
 ///
 /// # Errors
-/// [`DomainError`] unless there is at least one radius, and each is finite and above 0.
+/// [`DomainError`](crate::DomainError) unless there is at least one radius, and each is finite and above 0.
 ///
 /// ```
 /// # use contact_scaling::mixed_radii;
 /// assert_eq!(mixed_radii::mean_square(&[3.0, 4.0])?, 12.5);
 /// # Ok::<(), contact_scaling::DomainError>(())
 /// ```
-pub fn mean_square(radii_m: &[f64]) -> Result<f64, DomainError> {
+pub fn mean_square(radii_m: &[f64]) -> Result<f64> {
     let mut sum = 0.0;
     let mut count = 0.0;
     for &radius in radii_m {

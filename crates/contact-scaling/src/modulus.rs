@@ -3,7 +3,7 @@
 //! OpenSim's `stiffness` is E₁* of one surface. The Hertz law uses the composite modulus E* of both surfaces.
 
 use crate::SURFACE_OVER_COMPOSITE_MODULUS;
-use crate::error::{DomainError, require_non_negative, require_positive, require_range};
+use crate::error::{Result, require_non_negative, require_positive, require_range};
 
 /// The rule for the composite modulus of two surfaces.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -22,14 +22,14 @@ pub enum MixingRule {
 /// Source: (A.1).
 ///
 /// # Errors
-/// [`DomainError`] outside that domain.
+/// [`DomainError`](crate::DomainError) outside that domain.
 ///
 /// ```
 /// # use contact_scaling::modulus;
 /// assert_eq!(modulus::plane_strain(3e5, 0.5)?, 4e5);
 /// # Ok::<(), contact_scaling::DomainError>(())
 /// ```
-pub fn plane_strain(young_n_m2: f64, poisson: f64) -> Result<f64, DomainError> {
+pub fn plane_strain(young_n_m2: f64, poisson: f64) -> Result<f64> {
     let young = require_positive("young's modulus", young_n_m2)?;
     require_range(
         poisson > -1.0 && poisson <= 0.5,
@@ -47,14 +47,14 @@ pub fn plane_strain(young_n_m2: f64, poisson: f64) -> Result<f64, DomainError> {
 /// Source: (A.2).
 ///
 /// # Errors
-/// [`DomainError`] unless both are finite and above 0.
+/// [`DomainError`](crate::DomainError) unless both are finite and above 0.
 ///
 /// ```
 /// # use contact_scaling::modulus;
 /// assert_eq!(modulus::composite_johnson(6e5, 3e5)?, 2e5);
 /// # Ok::<(), contact_scaling::DomainError>(())
 /// ```
-pub fn composite_johnson(first_n_m2: f64, second_n_m2: f64) -> Result<f64, DomainError> {
+pub fn composite_johnson(first_n_m2: f64, second_n_m2: f64) -> Result<f64> {
     let a = require_positive("plane strain modulus", first_n_m2)?;
     let b = require_positive("plane strain modulus", second_n_m2)?;
     Ok(a / (1.0 + a / b))
@@ -67,14 +67,14 @@ pub fn composite_johnson(first_n_m2: f64, second_n_m2: f64) -> Result<f64, Domai
 /// Source: (A.3).
 ///
 /// # Errors
-/// [`DomainError`] unless both are finite and above 0.
+/// [`DomainError`](crate::DomainError) unless both are finite and above 0.
 ///
 /// ```
 /// # use contact_scaling::modulus;
 /// assert!((modulus::composite_sherman(1e6, 1e6)? - 353_553.39).abs() < 0.01);
 /// # Ok::<(), contact_scaling::DomainError>(())
 /// ```
-pub fn composite_sherman(first_n_m2: f64, second_n_m2: f64) -> Result<f64, DomainError> {
+pub fn composite_sherman(first_n_m2: f64, second_n_m2: f64) -> Result<f64> {
     let a = two_thirds(require_positive("plane strain modulus", first_n_m2)?);
     let b = two_thirds(require_positive("plane strain modulus", second_n_m2)?);
     let k = a * (b / (a + b));
@@ -88,14 +88,14 @@ pub fn composite_sherman(first_n_m2: f64, second_n_m2: f64) -> Result<f64, Domai
 /// Source: (A.4).
 ///
 /// # Errors
-/// [`DomainError`] unless E* is finite and above 0.
+/// [`DomainError`](crate::DomainError) unless E* is finite and above 0.
 ///
 /// ```
 /// # use contact_scaling::modulus::{MixingRule, self};
 /// assert_eq!(modulus::of_equal_surfaces(1e6, MixingRule::Johnson)?, 2e6);
 /// # Ok::<(), contact_scaling::DomainError>(())
 /// ```
-pub fn of_equal_surfaces(composite_n_m2: f64, rule: MixingRule) -> Result<f64, DomainError> {
+pub fn of_equal_surfaces(composite_n_m2: f64, rule: MixingRule) -> Result<f64> {
     Ok(equal_surfaces_factor(rule) * require_positive("composite modulus", composite_n_m2)?)
 }
 
@@ -106,14 +106,14 @@ pub fn of_equal_surfaces(composite_n_m2: f64, rule: MixingRule) -> Result<f64, D
 /// Source: (A.4), solved for E*.
 ///
 /// # Errors
-/// [`DomainError`] unless E₁* is finite and above 0.
+/// [`DomainError`](crate::DomainError) unless E₁* is finite and above 0.
 ///
 /// ```
 /// # use contact_scaling::modulus::{MixingRule, self};
 /// assert!((modulus::composite_of_equal(1e6, MixingRule::Sherman)? - 353_553.39).abs() < 0.01);
 /// # Ok::<(), contact_scaling::DomainError>(())
 /// ```
-pub fn composite_of_equal(surface_n_m2: f64, rule: MixingRule) -> Result<f64, DomainError> {
+pub fn composite_of_equal(surface_n_m2: f64, rule: MixingRule) -> Result<f64> {
     Ok(require_positive("plane strain modulus", surface_n_m2)? / equal_surfaces_factor(rule))
 }
 
@@ -132,7 +132,7 @@ pub fn composite_of_equal(surface_n_m2: f64, rule: MixingRule) -> Result<f64, Do
 /// assert!((modulus::stiffness_on_rigid_ground(3e5, 0.5)? - 1_131_370.85).abs() < 0.01);
 /// # Ok::<(), contact_scaling::DomainError>(())
 /// ```
-pub fn stiffness_on_rigid_ground(young_n_m2: f64, poisson: f64) -> Result<f64, DomainError> {
+pub fn stiffness_on_rigid_ground(young_n_m2: f64, poisson: f64) -> Result<f64> {
     of_equal_surfaces(plane_strain(young_n_m2, poisson)?, MixingRule::Sherman)
 }
 
@@ -153,7 +153,7 @@ pub struct SurfaceValues {
 /// Source: Simbody's `HuntCrossleyForce` (Sherman et al. 2011).
 ///
 /// # Errors
-/// [`DomainError`] unless both moduli are above 0 and both dissipations 0 or above, all finite.
+/// [`DomainError`](crate::DomainError) unless both moduli are above 0 and both dissipations 0 or above, all finite.
 ///
 /// ```
 /// # use contact_scaling::modulus::{SurfaceValues, self};
@@ -162,7 +162,7 @@ pub struct SurfaceValues {
 /// assert_eq!(modulus::mixed_dissipation(soft, hard)?, 1.6); // the soft one takes 4/5
 /// # Ok::<(), contact_scaling::DomainError>(())
 /// ```
-pub fn mixed_dissipation(first: SurfaceValues, second: SurfaceValues) -> Result<f64, DomainError> {
+pub fn mixed_dissipation(first: SurfaceValues, second: SurfaceValues) -> Result<f64> {
     let a = two_thirds(require_positive("plane strain modulus", first.plane_strain_modulus)?);
     let b = two_thirds(require_positive("plane strain modulus", second.plane_strain_modulus)?);
     let share = b / (a + b);
@@ -177,14 +177,14 @@ pub fn mixed_dissipation(first: SurfaceValues, second: SurfaceValues) -> Result<
 /// Source: Johnson (1985), as in section 2.
 ///
 /// # Errors
-/// [`DomainError`] unless both are finite and above 0.
+/// [`DomainError`](crate::DomainError) unless both are finite and above 0.
 ///
 /// ```
 /// # use contact_scaling::modulus;
 /// assert_eq!(modulus::composite_radius(0.3, 0.3)?, 0.15);
 /// # Ok::<(), contact_scaling::DomainError>(())
 /// ```
-pub fn composite_radius(first_m: f64, second_m: f64) -> Result<f64, DomainError> {
+pub fn composite_radius(first_m: f64, second_m: f64) -> Result<f64> {
     let a = require_positive("sphere radius", first_m)?;
     let b = require_positive("sphere radius", second_m)?;
     Ok(a / (1.0 + a / b))

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use crate::error::{DomainError, require_non_negative, require_positive};
+use crate::error::{Result, require_non_negative, require_positive};
 
 /// Radius of the contact patch, √(x R), in m.
 ///
@@ -11,14 +11,14 @@ use crate::error::{DomainError, require_non_negative, require_positive};
 /// Source: Fig. 3.
 ///
 /// # Errors
-/// [`DomainError`] unless x ≥ 0 and R > 0, both finite.
+/// [`DomainError`](crate::DomainError) unless x ≥ 0 and R > 0, both finite.
 ///
 /// ```
 /// # use contact_scaling::patch;
 /// assert_eq!(patch::radius(0.01, 0.25)?, 0.05);
 /// # Ok::<(), contact_scaling::DomainError>(())
 /// ```
-pub fn radius(indentation_m: f64, radius_m: f64) -> Result<f64, DomainError> {
+pub fn radius(indentation_m: f64, radius_m: f64) -> Result<f64> {
     Ok((require_non_negative("indentation", indentation_m)? * require_positive("sphere radius", radius_m)?)
         .sqrt())
 }
@@ -37,7 +37,7 @@ pub fn radius(indentation_m: f64, radius_m: f64) -> Result<f64, DomainError> {
 /// assert_eq!(patch::diameter(0.01, 0.25)?, 0.1);
 /// # Ok::<(), contact_scaling::DomainError>(())
 /// ```
-pub fn diameter(indentation_m: f64, radius_m: f64) -> Result<f64, DomainError> {
+pub fn diameter(indentation_m: f64, radius_m: f64) -> Result<f64> {
     Ok(2.0 * radius(indentation_m, radius_m)?)
 }
 
@@ -48,14 +48,14 @@ pub fn diameter(indentation_m: f64, radius_m: f64) -> Result<f64, DomainError> {
 /// Source: Fig. 3 with (2).
 ///
 /// # Errors
-/// [`DomainError`] unless x̂ is finite and 0 or above.
+/// [`DomainError`](crate::DomainError) unless x̂ is finite and 0 or above.
 ///
 /// ```
 /// # use contact_scaling::patch;
 /// assert_eq!(patch::relative_radius(0.16)?, 0.4);
 /// # Ok::<(), contact_scaling::DomainError>(())
 /// ```
-pub fn relative_radius(relative_indentation: f64) -> Result<f64, DomainError> {
+pub fn relative_radius(relative_indentation: f64) -> Result<f64> {
     Ok(require_non_negative("relative indentation", relative_indentation)?.sqrt())
 }
 
@@ -66,14 +66,14 @@ pub fn relative_radius(relative_indentation: f64) -> Result<f64, DomainError> {
 /// Source: (15).
 ///
 /// # Errors
-/// [`DomainError`] unless F_c ≥ 0, R > 0 and x̂ > 0, all finite: without contact there is no patch.
+/// [`DomainError`](crate::DomainError) unless F_c ≥ 0, R > 0 and x̂ > 0, all finite: without contact there is no patch.
 ///
 /// ```
 /// # use contact_scaling::patch;
 /// assert!((patch::mean_stress(100.0, 0.032, 0.353)? / 8.806e4 - 1.0).abs() < 1e-4);
 /// # Ok::<(), contact_scaling::DomainError>(())
 /// ```
-pub fn mean_stress(force_n: f64, radius_m: f64, relative_indentation: f64) -> Result<f64, DomainError> {
+pub fn mean_stress(force_n: f64, radius_m: f64, relative_indentation: f64) -> Result<f64> {
     let force = require_non_negative("force", force_n)?;
     let radius = require_positive("sphere radius", radius_m)?;
     Ok(force / (PI * (radius * radius) * require_positive("relative indentation", relative_indentation)?))

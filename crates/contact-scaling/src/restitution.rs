@@ -3,7 +3,7 @@
 //! For an impact without gravity the law can be integrated: with d = 3/2 α ẋ⁻ the restitution c solves h(d) = h(−c d), where h(z)
 //! = z − ln(1 + z). (13) is the start of its series: c = 1 − 2/3 d + …
 
-use crate::error::{DomainError, require_non_negative, require_positive, require_range};
+use crate::error::{Result, require_non_negative, require_positive, require_range};
 
 /// The domain of a restitution that may be 0, for error messages.
 const EXPECTED_ZERO_TO_ONE: &str = "a number from 0 to 1";
@@ -18,7 +18,7 @@ const EXPECTED_RESTITUTION: &str = "a number above 0, at most 1";
 /// Source: (13).
 ///
 /// # Errors
-/// [`DomainError`] if α ẋ⁻ > 1, because the approximation has no valid result there.
+/// [`DomainError`](crate::DomainError) if α ẋ⁻ > 1, because the approximation has no valid result there.
 ///
 /// ```
 /// # use contact_scaling::restitution;
@@ -26,7 +26,7 @@ const EXPECTED_RESTITUTION: &str = "a number above 0, at most 1";
 /// assert!(restitution::approximate(2.0, 0.6).is_err());
 /// # Ok::<(), contact_scaling::DomainError>(())
 /// ```
-pub fn approximate(dissipation_s_m: f64, impact_speed_m_s: f64) -> Result<f64, DomainError> {
+pub fn approximate(dissipation_s_m: f64, impact_speed_m_s: f64) -> Result<f64> {
     let c = 1.0 - dissipation_times_speed(dissipation_s_m, impact_speed_m_s)?;
     require_range(c >= 0.0, "restitution by (13)", c, EXPECTED_ZERO_TO_ONE)
 }
@@ -38,14 +38,14 @@ pub fn approximate(dissipation_s_m: f64, impact_speed_m_s: f64) -> Result<f64, D
 /// Source: (13), solved for α.
 ///
 /// # Errors
-/// [`DomainError`] outside that domain.
+/// [`DomainError`](crate::DomainError) outside that domain.
 ///
 /// ```
 /// # use contact_scaling::restitution;
 /// assert!((restitution::dissipation(0.8, 0.4)? - 0.5).abs() < 1e-15); // section 4.2: about 0.5 s/m
 /// # Ok::<(), contact_scaling::DomainError>(())
 /// ```
-pub fn dissipation(restitution: f64, impact_speed_m_s: f64) -> Result<f64, DomainError> {
+pub fn dissipation(restitution: f64, impact_speed_m_s: f64) -> Result<f64> {
     let ok = (0.0..=1.0).contains(&restitution);
     let c = require_range(ok, "restitution", restitution, EXPECTED_ZERO_TO_ONE)?;
     Ok((1.0 - c) / require_positive("impact speed", impact_speed_m_s)?)
@@ -58,14 +58,14 @@ pub fn dissipation(restitution: f64, impact_speed_m_s: f64) -> Result<f64, Domai
 /// Source: the drop tests of Table 1.
 ///
 /// # Errors
-/// [`DomainError`] unless both are finite and above 0.
+/// [`DomainError`](crate::DomainError) unless both are finite and above 0.
 ///
 /// ```
 /// # use contact_scaling::restitution;
 /// assert!((restitution::drop_speed(9.81, 0.032)? - 0.4).abs() < 5e-3); // section 4.2: about 0.4 m/s
 /// # Ok::<(), contact_scaling::DomainError>(())
 /// ```
-pub fn drop_speed(gravity_m_s2: f64, radius_m: f64) -> Result<f64, DomainError> {
+pub fn drop_speed(gravity_m_s2: f64, radius_m: f64) -> Result<f64> {
     Ok((require_positive("gravity", gravity_m_s2)? * require_positive("sphere radius", radius_m)? / 2.0)
         .sqrt())
 }
@@ -78,14 +78,14 @@ pub fn drop_speed(gravity_m_s2: f64, radius_m: f64) -> Result<f64, DomainError> 
 /// Source: the integral of (12) over an impact; not in the paper.
 ///
 /// # Errors
-/// [`DomainError`] unless α and ẋ⁻ are finite and 0 or above.
+/// [`DomainError`](crate::DomainError) unless α and ẋ⁻ are finite and 0 or above.
 ///
 /// ```
 /// # use contact_scaling::restitution;
 /// assert!((restitution::exact(2.0, 0.396)? - 0.5495).abs() < 5e-5); // (13) says 0.208
 /// # Ok::<(), contact_scaling::DomainError>(())
 /// ```
-pub fn exact(dissipation_s_m: f64, impact_speed_m_s: f64) -> Result<f64, DomainError> {
+pub fn exact(dissipation_s_m: f64, impact_speed_m_s: f64) -> Result<f64> {
     Ok(restitution_from_d(1.5 * dissipation_times_speed(dissipation_s_m, impact_speed_m_s)?))
 }
 
@@ -96,7 +96,7 @@ pub fn exact(dissipation_s_m: f64, impact_speed_m_s: f64) -> Result<f64, DomainE
 /// Source: the integral of (12) over an impact, solved for α; not in the paper.
 ///
 /// # Errors
-/// [`DomainError`] outside that domain.
+/// [`DomainError`](crate::DomainError) outside that domain.
 ///
 /// ```
 /// # use contact_scaling::restitution;
@@ -104,14 +104,14 @@ pub fn exact(dissipation_s_m: f64, impact_speed_m_s: f64) -> Result<f64, DomainE
 /// assert!((restitution::exact(alpha, 0.4)? - 0.55).abs() < 1e-14);
 /// # Ok::<(), contact_scaling::DomainError>(())
 /// ```
-pub fn exact_dissipation(restitution: f64, impact_speed_m_s: f64) -> Result<f64, DomainError> {
+pub fn exact_dissipation(restitution: f64, impact_speed_m_s: f64) -> Result<f64> {
     let ok = restitution > 0.0 && restitution <= 1.0;
     let c = require_range(ok, "restitution", restitution, EXPECTED_RESTITUTION)?;
     Ok(d_from_restitution(c) / 1.5 / require_positive("impact speed", impact_speed_m_s)?)
 }
 
 /// The product α ẋ⁻ of a dissipation and an impact speed, without unit.
-fn dissipation_times_speed(dissipation_s_m: f64, impact_speed_m_s: f64) -> Result<f64, DomainError> {
+fn dissipation_times_speed(dissipation_s_m: f64, impact_speed_m_s: f64) -> Result<f64> {
     let product = require_non_negative("dissipation", dissipation_s_m)?
         * require_non_negative("impact speed", impact_speed_m_s)?;
     require_non_negative("dissipation times impact speed", product)

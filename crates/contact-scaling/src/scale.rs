@@ -1,6 +1,6 @@
 //! The scale of a body with contact spheres, a load and the spheres that share it, and the scaling factors between two scales.
 
-use crate::error::{DomainError, require_at_least_one, require_positive};
+use crate::error::{Result, require_at_least_one, require_positive};
 
 /// The four numbers of a [`Scale`], by name and not yet checked.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -33,8 +33,8 @@ impl Scale {
     /// Checks mass, radius, sphere count and gravity of a body, and makes a scale of them.
     ///
     /// # Errors
-    /// [`DomainError`] unless M, R and g are finite and above 0, and n is finite and at least 1.
-    pub fn new(values: ScaleValues) -> Result<Self, DomainError> {
+    /// [`DomainError`](crate::DomainError) unless M, R and g are finite and above 0, and n is finite and at least 1.
+    pub fn new(values: ScaleValues) -> Result<Self> {
         require_positive("mass", values.mass_kg)?;
         require_positive("sphere radius", values.radius_m)?;
         require_at_least_one("sphere count", values.sphere_count)?;
@@ -115,8 +115,8 @@ impl SharedLoad {
     /// The load F (N) on n spheres.
     ///
     /// # Errors
-    /// [`DomainError`] unless F is finite and above 0, and n finite and at least 1.
-    pub fn new(load_n: f64, sphere_count: f64) -> Result<Self, DomainError> {
+    /// [`DomainError`](crate::DomainError) unless F is finite and above 0, and n finite and at least 1.
+    pub fn new(load_n: f64, sphere_count: f64) -> Result<Self> {
         Ok(Self {
             load_n: require_positive("load", load_n)?,
             sphere_count: require_at_least_one("sphere count", sphere_count)?,
@@ -126,8 +126,8 @@ impl SharedLoad {
     /// The body weight of `scale` times `multiple`, on the spheres of `scale`.
     ///
     /// # Errors
-    /// [`DomainError`] unless the load is finite and above 0.
-    pub fn body_weights(scale: &Scale, multiple: f64) -> Result<Self, DomainError> {
+    /// [`DomainError`](crate::DomainError) unless the load is finite and above 0.
+    pub fn body_weights(scale: &Scale, multiple: f64) -> Result<Self> {
         Self::new(require_positive("body weights", multiple)? * scale.body_weight_n(), scale.sphere_count())
     }
 
@@ -184,8 +184,8 @@ impl Ratios {
     /// Checks the four ratios, and makes them available as factors.
     ///
     /// # Errors
-    /// [`DomainError`] unless each ratio, and each factor formed from them, is finite and above 0.
-    pub fn new(values: RatioValues) -> Result<Self, DomainError> {
+    /// [`DomainError`](crate::DomainError) unless each ratio, and each factor formed from them, is finite and above 0.
+    pub fn new(values: RatioValues) -> Result<Self> {
         require_positive("mass ratio", values.mass)?;
         require_positive("sphere count ratio", values.sphere_count)?;
         require_positive("radius ratio", values.radius)?;
@@ -203,8 +203,8 @@ impl Ratios {
     /// The ratios from scale `a` to scale `b`.
     ///
     /// # Errors
-    /// [`DomainError`] if a ratio leaves the range of `f64`.
-    pub fn between(a: &Scale, b: &Scale) -> Result<Self, DomainError> {
+    /// [`DomainError`](crate::DomainError) if a ratio leaves the range of `f64`.
+    pub fn between(a: &Scale, b: &Scale) -> Result<Self> {
         Self::new(RatioValues {
             mass: b.mass_kg() / a.mass_kg(),
             sphere_count: b.sphere_count() / a.sphere_count(),
@@ -216,8 +216,8 @@ impl Ratios {
     /// The ratios of two geometrically similar bodies: ρ = ∛μ, equal sphere counts, equal gravity.
     ///
     /// # Errors
-    /// [`DomainError`] unless the mass ratio is finite and above 0.
-    pub fn isometric(mass_ratio: f64) -> Result<Self, DomainError> {
+    /// [`DomainError`](crate::DomainError) unless the mass ratio is finite and above 0.
+    pub fn isometric(mass_ratio: f64) -> Result<Self> {
         let radius = libm::cbrt(mass_ratio);
         Self::new(RatioValues { mass: mass_ratio, sphere_count: 1.0, radius, gravity: 1.0 })
     }

@@ -1,6 +1,6 @@
 //! The smoothed law of OpenSim's `SmoothSphereHalfSpaceForce`: (C.1), (C.3), (C.4), (C.9).
 
-use crate::error::{DomainError, require_non_negative, require_positive};
+use crate::error::{Result, require_non_negative, require_positive};
 use crate::{Contact, Hertz, SmoothingValues, smoothing};
 
 /// The normal force of one `SmoothSphereHalfSpaceForce`.
@@ -20,8 +20,8 @@ impl SmoothSphere {
     /// A Hertz law with the dissipation α (s/m) and smoothing.
     ///
     /// # Errors
-    /// [`DomainError`] unless α ≥ 0, cf ≥ 0, bd > 0 and bv > 0, all finite.
-    pub fn new(hertz: Hertz, dissipation: f64, smoothing: SmoothingValues) -> Result<Self, DomainError> {
+    /// [`DomainError`](crate::DomainError) unless α ≥ 0, cf ≥ 0, bd > 0 and bv > 0, all finite.
+    pub fn new(hertz: Hertz, dissipation: f64, smoothing: SmoothingValues) -> Result<Self> {
         require_non_negative("dissipation", dissipation)?;
         require_non_negative("constant contact force", smoothing.constant_contact_force)?;
         require_positive("hertz smoothing", smoothing.hertz_smoothing)?;
@@ -36,7 +36,7 @@ impl SmoothSphere {
     ///
     /// # Errors
     /// As [`Hertz::of`].
-    pub fn of(contact: &Contact, radius_m: f64) -> Result<Self, DomainError> {
+    pub fn of(contact: &Contact, radius_m: f64) -> Result<Self> {
         let smoothing = contact.smoothing().unwrap_or(SmoothingValues::OPENSIM_DEFAULT);
         Self::new(Hertz::of(contact, radius_m)?, contact.dissipation(), smoothing)
     }

@@ -3,7 +3,7 @@
 //!
 //! A threshold t is a value of the contact state s_c, without unit: a width is the distance from s_c = t to s_c = 1 − t.
 
-use crate::error::{DomainError, require_non_negative, require_positive, require_range};
+use crate::error::{Result, require_non_negative, require_positive, require_range};
 
 /// The smoothing parameters of `SmoothSphereHalfSpaceForce`, by name and not yet checked.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -26,12 +26,12 @@ impl SmoothingValues {
 const EXPECTED_BELOW_HALF: &str = "a number between 0 and 0.5";
 
 /// atanh(1 − 2 t); an error with the `expected` range unless `ok`.
-fn half_width_from_threshold(threshold: f64, ok: bool, expected: &'static str) -> Result<f64, DomainError> {
+fn half_width_from_threshold(threshold: f64, ok: bool, expected: &'static str) -> Result<f64> {
     Ok(libm::atanh(1.0 - 2.0 * require_range(ok, "threshold", threshold, expected)?))
 }
 
 /// 2 atanh(1 − 2 t) for 0 < t < ½.
-fn full_width_from_threshold(threshold: f64) -> Result<f64, DomainError> {
+fn full_width_from_threshold(threshold: f64) -> Result<f64> {
     Ok(2.0 * half_width_from_threshold(threshold, threshold > 0.0 && threshold < 0.5, EXPECTED_BELOW_HALF)?)
 }
 
@@ -42,14 +42,14 @@ fn full_width_from_threshold(threshold: f64) -> Result<f64, DomainError> {
 /// Source: (C.2).
 ///
 /// # Errors
-/// [`DomainError`] unless x̂_c ≥ 0 and R > 0, both finite.
+/// [`DomainError`](crate::DomainError) unless x̂_c ≥ 0 and R > 0, both finite.
 ///
 /// ```
 /// # use contact_scaling::smoothing;
 /// assert!((smoothing::constant_contact_force(0.0988, 0.032)? - 1e-5).abs() < 1e-8); // Falisse et al. 2022
 /// # Ok::<(), contact_scaling::DomainError>(())
 /// ```
-pub fn constant_contact_force(constant_indentation: f64, radius_m: f64) -> Result<f64, DomainError> {
+pub fn constant_contact_force(constant_indentation: f64, radius_m: f64) -> Result<f64> {
     let x = require_non_negative("constant relative indentation", constant_indentation)?
         * require_positive("sphere radius", radius_m)?;
     Ok(x * x)
@@ -62,14 +62,14 @@ pub fn constant_contact_force(constant_indentation: f64, radius_m: f64) -> Resul
 /// Source: (C.2), solved for x̂_c.
 ///
 /// # Errors
-/// [`DomainError`] unless cf ≥ 0 and R > 0, both finite.
+/// [`DomainError`](crate::DomainError) unless cf ≥ 0 and R > 0, both finite.
 ///
 /// ```
 /// # use contact_scaling::smoothing;
 /// assert!((smoothing::constant_indentation(1e-5, 0.032)? - 0.0988).abs() < 5e-5); // Falisse et al. 2022
 /// # Ok::<(), contact_scaling::DomainError>(())
 /// ```
-pub fn constant_indentation(constant_contact_force_m2: f64, radius_m: f64) -> Result<f64, DomainError> {
+pub fn constant_indentation(constant_contact_force_m2: f64, radius_m: f64) -> Result<f64> {
     let cf = require_non_negative("constant contact force", constant_contact_force_m2)?;
     Ok(cf.sqrt() / require_positive("sphere radius", radius_m)?)
 }
@@ -81,14 +81,14 @@ pub fn constant_indentation(constant_contact_force_m2: f64, radius_m: f64) -> Re
 /// Source: (C.5).
 ///
 /// # Errors
-/// [`DomainError`] unless both are finite and above 0.
+/// [`DomainError`](crate::DomainError) unless both are finite and above 0.
 ///
 /// ```
 /// # use contact_scaling::smoothing;
 /// assert_eq!(smoothing::hertz_smoothing(10.0, 0.02)?, 500.0);
 /// # Ok::<(), contact_scaling::DomainError>(())
 /// ```
-pub fn hertz_smoothing(dimensionless: f64, radius_m: f64) -> Result<f64, DomainError> {
+pub fn hertz_smoothing(dimensionless: f64, radius_m: f64) -> Result<f64> {
     Ok(require_positive("dimensionless hertz smoothing", dimensionless)?
         / require_positive("sphere radius", radius_m)?)
 }
@@ -100,18 +100,14 @@ pub fn hertz_smoothing(dimensionless: f64, radius_m: f64) -> Result<f64, DomainE
 /// Source: (C.6).
 ///
 /// # Errors
-/// [`DomainError`] outside that domain.
+/// [`DomainError`](crate::DomainError) outside that domain.
 ///
 /// ```
 /// # use contact_scaling::smoothing;
 /// assert!((smoothing::threshold_indentation(0.05, 300.0, 0.032)? - 0.153).abs() < 5e-4);
 /// # Ok::<(), contact_scaling::DomainError>(())
 /// ```
-pub fn threshold_indentation(
-    threshold: f64,
-    hertz_smoothing_per_m: f64,
-    radius_m: f64,
-) -> Result<f64, DomainError> {
+pub fn threshold_indentation(threshold: f64, hertz_smoothing_per_m: f64, radius_m: f64) -> Result<f64> {
     let ok = threshold > 0.0 && threshold < 1.0;
     let half = half_width_from_threshold(threshold, ok, "a number between 0 and 1")?;
     let bd = require_positive("hertz smoothing", hertz_smoothing_per_m)?;
@@ -125,18 +121,14 @@ pub fn threshold_indentation(
 /// Source: (C.7).
 ///
 /// # Errors
-/// [`DomainError`] outside that domain.
+/// [`DomainError`](crate::DomainError) outside that domain.
 ///
 /// ```
 /// # use contact_scaling::smoothing;
 /// assert!((smoothing::transition_width(0.05, 500.0, 0.02)? - 0.29).abs() < 5e-3); // −0.15 to 0.15
 /// # Ok::<(), contact_scaling::DomainError>(())
 /// ```
-pub fn transition_width(
-    threshold: f64,
-    hertz_smoothing_per_m: f64,
-    radius_m: f64,
-) -> Result<f64, DomainError> {
+pub fn transition_width(threshold: f64, hertz_smoothing_per_m: f64, radius_m: f64) -> Result<f64> {
     let bd = require_positive("hertz smoothing", hertz_smoothing_per_m)?;
     Ok(full_width_from_threshold(threshold)? / (bd * require_positive("sphere radius", radius_m)?))
 }
@@ -148,14 +140,14 @@ pub fn transition_width(
 /// Source: (C.8).
 ///
 /// # Errors
-/// [`DomainError`] outside that domain.
+/// [`DomainError`](crate::DomainError) outside that domain.
 ///
 /// ```
 /// # use contact_scaling::smoothing;
 /// assert!((smoothing::hertz_smoothing_for_width(0.05, 0.3, 0.032)? - 306.7).abs() < 0.1);
 /// # Ok::<(), contact_scaling::DomainError>(())
 /// ```
-pub fn hertz_smoothing_for_width(threshold: f64, width: f64, radius_m: f64) -> Result<f64, DomainError> {
+pub fn hertz_smoothing_for_width(threshold: f64, width: f64, radius_m: f64) -> Result<f64> {
     let width = require_positive("transition width", width)?;
     Ok(full_width_from_threshold(threshold)? / (width * require_positive("sphere radius", radius_m)?))
 }
@@ -167,14 +159,14 @@ pub fn hertz_smoothing_for_width(threshold: f64, width: f64, radius_m: f64) -> R
 /// Source: (C.10), its first form.
 ///
 /// # Errors
-/// [`DomainError`] unless both are finite and above 0.
+/// [`DomainError`](crate::DomainError) unless both are finite and above 0.
 ///
 /// ```
 /// # use contact_scaling::smoothing;
 /// assert_eq!(smoothing::hunt_crossley_smoothing(9.0, 0.09)?, 30.0);
 /// # Ok::<(), contact_scaling::DomainError>(())
 /// ```
-pub fn hunt_crossley_smoothing(reduced_s_per_root_m: f64, radius_m: f64) -> Result<f64, DomainError> {
+pub fn hunt_crossley_smoothing(reduced_s_per_root_m: f64, radius_m: f64) -> Result<f64> {
     let reduced = require_positive("reduced hunt crossley smoothing", reduced_s_per_root_m)?;
     Ok(reduced / require_positive("sphere radius", radius_m)?.sqrt())
 }
@@ -186,14 +178,14 @@ pub fn hunt_crossley_smoothing(reduced_s_per_root_m: f64, radius_m: f64) -> Resu
 /// Source: (C.10) with Δẋ = Δv / √R.
 ///
 /// # Errors
-/// [`DomainError`] outside that domain.
+/// [`DomainError`](crate::DomainError) outside that domain.
 ///
 /// ```
 /// # use contact_scaling::smoothing;
 /// assert!((smoothing::hunt_crossley_smoothing_for_speed_width(0.05, 0.0589)? - 50.0).abs() < 0.05);
 /// # Ok::<(), contact_scaling::DomainError>(())
 /// ```
-pub fn hunt_crossley_smoothing_for_speed_width(threshold: f64, width_m_s: f64) -> Result<f64, DomainError> {
+pub fn hunt_crossley_smoothing_for_speed_width(threshold: f64, width_m_s: f64) -> Result<f64> {
     Ok(full_width_from_threshold(threshold)? / require_positive("speed width", width_m_s)?)
 }
 
@@ -204,7 +196,7 @@ pub fn hunt_crossley_smoothing_for_speed_width(threshold: f64, width_m_s: f64) -
 /// Source: (C.10), its second form.
 ///
 /// # Errors
-/// [`DomainError`] outside that domain.
+/// [`DomainError`](crate::DomainError) outside that domain.
 ///
 /// ```
 /// # use contact_scaling::smoothing::{hunt_crossley_smoothing_for_speed_width, self};
@@ -216,7 +208,7 @@ pub fn hunt_crossley_smoothing_for_reduced_width(
     threshold: f64,
     width_root_m_per_s: f64,
     radius_m: f64,
-) -> Result<f64, DomainError> {
+) -> Result<f64> {
     let width = require_positive("reduced speed width", width_root_m_per_s)?;
     Ok(full_width_from_threshold(threshold)? / (width * require_positive("sphere radius", radius_m)?.sqrt()))
 }
@@ -229,7 +221,7 @@ pub fn hunt_crossley_smoothing_for_reduced_width(
 /// Source: (C.9), its second factor at ẋ = 0.
 ///
 /// # Errors
-/// [`DomainError`] unless α ≥ 0 and bv > 0, both finite.
+/// [`DomainError`](crate::DomainError) unless α ≥ 0 and bv > 0, both finite.
 ///
 /// ```
 /// # use contact_scaling::smoothing;
@@ -237,7 +229,7 @@ pub fn hunt_crossley_smoothing_for_reduced_width(
 /// assert!((smoothing::speed_state_at_rest(20.0, 50.0)? - 0.966).abs() < 5e-4); // 3.4 % of the force is missing
 /// # Ok::<(), contact_scaling::DomainError>(())
 /// ```
-pub fn speed_state_at_rest(dissipation_s_m: f64, smoothing_s_m: f64) -> Result<f64, DomainError> {
+pub fn speed_state_at_rest(dissipation_s_m: f64, smoothing_s_m: f64) -> Result<f64> {
     let alpha = require_non_negative("dissipation", dissipation_s_m)?;
     Ok(speed_state(alpha, require_positive("hunt crossley smoothing", smoothing_s_m)?, 0.0))
 }

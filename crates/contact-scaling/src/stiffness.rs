@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use crate::SharedLoad;
-use crate::error::{DomainError, require_positive};
+use crate::error::{Result, require_positive};
 
 /// Dimensionless stiffness k̂ = k R n / F_c, without unit.
 ///
@@ -12,7 +12,7 @@ use crate::error::{DomainError, require_positive};
 /// Source: (B.3).
 ///
 /// # Errors
-/// [`DomainError`] unless k and R are finite and above 0.
+/// [`DomainError`](crate::DomainError) unless k and R are finite and above 0.
 ///
 /// ```
 /// # use contact_scaling::{SharedLoad, stiffness};
@@ -20,7 +20,7 @@ use crate::error::{DomainError, require_positive};
 /// assert!((stiffness::dimensionless(13_449.5, 0.032, &human)? - 4.2457).abs() < 1e-4);
 /// # Ok::<(), contact_scaling::DomainError>(())
 /// ```
-pub fn dimensionless(stiffness_n_m: f64, radius_m: f64, load: &SharedLoad) -> Result<f64, DomainError> {
+pub fn dimensionless(stiffness_n_m: f64, radius_m: f64, load: &SharedLoad) -> Result<f64> {
     let k = require_positive("contact stiffness", stiffness_n_m)?;
     Ok(k * require_positive("sphere radius", radius_m)? / load.per_sphere_n())
 }
@@ -33,14 +33,14 @@ pub fn dimensionless(stiffness_n_m: f64, radius_m: f64, load: &SharedLoad) -> Re
 /// Source: (B.3) with (B.2) and (3).
 ///
 /// # Errors
-/// [`DomainError`] unless x̂ is finite and above 0.
+/// [`DomainError`](crate::DomainError) unless x̂ is finite and above 0.
 ///
 /// ```
 /// # use contact_scaling::stiffness;
 /// assert_eq!(stiffness::dimensionless_hertz(0.375)?, 4.0);
 /// # Ok::<(), contact_scaling::DomainError>(())
 /// ```
-pub fn dimensionless_hertz(relative_indentation: f64) -> Result<f64, DomainError> {
+pub fn dimensionless_hertz(relative_indentation: f64) -> Result<f64> {
     Ok(1.5 / require_positive("relative indentation", relative_indentation)?)
 }
 
@@ -51,14 +51,14 @@ pub fn dimensionless_hertz(relative_indentation: f64) -> Result<f64, DomainError
 /// Source: (B.4).
 ///
 /// # Errors
-/// [`DomainError`] unless k and M are finite and above 0.
+/// [`DomainError`](crate::DomainError) unless k and M are finite and above 0.
 ///
 /// ```
 /// # use contact_scaling::stiffness;
 /// assert!((stiffness::natural_frequency(13_449.5, 62.0 / 6.0)? - 5.742).abs() < 1e-3);
 /// # Ok::<(), contact_scaling::DomainError>(())
 /// ```
-pub fn natural_frequency(stiffness_n_m: f64, mass_on_sphere_kg: f64) -> Result<f64, DomainError> {
+pub fn natural_frequency(stiffness_n_m: f64, mass_on_sphere_kg: f64) -> Result<f64> {
     let k = require_positive("contact stiffness", stiffness_n_m)?;
     Ok((k / require_positive("mass on the sphere", mass_on_sphere_kg)?).sqrt() / TAU)
 }
@@ -71,18 +71,14 @@ pub fn natural_frequency(stiffness_n_m: f64, mass_on_sphere_kg: f64) -> Result<f
 /// Source: (B.5).
 ///
 /// # Errors
-/// [`DomainError`] unless x̂_eq, R and g are finite and above 0.
+/// [`DomainError`](crate::DomainError) unless x̂_eq, R and g are finite and above 0.
 ///
 /// ```
 /// # use contact_scaling::stiffness;
 /// assert!((stiffness::equilibrium_frequency(0.3533, 0.032, 9.81)? - 5.742).abs() < 1e-3);
 /// # Ok::<(), contact_scaling::DomainError>(())
 /// ```
-pub fn equilibrium_frequency(
-    relative_indentation: f64,
-    radius_m: f64,
-    gravity_m_s2: f64,
-) -> Result<f64, DomainError> {
+pub fn equilibrium_frequency(relative_indentation: f64, radius_m: f64, gravity_m_s2: f64) -> Result<f64> {
     let x = require_positive("relative indentation", relative_indentation)?;
     let radius = require_positive("sphere radius", radius_m)?;
     Ok((1.5 * require_positive("gravity", gravity_m_s2)? / (x * radius)).sqrt() / TAU)

@@ -10,7 +10,7 @@
 //! ```
 
 use crate::drop_test::{DropError, DropTest};
-use crate::{Contact, ContactValues, DomainError, Hertz, Ratios, Scale, ScaleValues, falisse2022};
+use crate::{Contact, ContactValues, Hertz, Ratios, Result, Scale, ScaleValues, falisse2022};
 
 /// Gravity of the drop tests, m/s². The paper says "gravity on Earth"; its digits follow from 9.81, not from OpenSim's 9.80665.
 pub const GRAVITY_M_S2: f64 = 9.81;
@@ -189,7 +189,7 @@ impl Animal {
     ///
     /// # Errors
     /// None for the numbers of the table.
-    pub fn contact(&self) -> Result<Contact, DomainError> {
+    pub fn contact(&self) -> Result<Contact> {
         Ok(falisse2022().contact.scaled(&self.ratios()?))
     }
 
@@ -197,12 +197,12 @@ impl Animal {
     ///
     /// # Errors
     /// None for the numbers of the table.
-    pub fn contact_without_smoothing(&self) -> Result<Contact, DomainError> {
+    pub fn contact_without_smoothing(&self) -> Result<Contact> {
         Contact::new(ContactValues { smoothing: None, ..self.contact()?.values() })
     }
 
     /// Ratios from the paper's human to this animal.
-    fn ratios(&self) -> Result<Ratios, DomainError> {
+    fn ratios(&self) -> Result<Ratios> {
         let human = ScaleValues { gravity_m_s2: GRAVITY_M_S2, ..falisse2022().scale.values() };
         Ratios::between(&Scale::new(human)?, &self.scale)
     }
@@ -234,7 +234,7 @@ impl Animal {
     }
 
     /// E* in MPa, scaled by (10) from the three digits that the paper prints for the human.
-    fn modulus_from_rounded_human(&self) -> Result<Option<f64>, DomainError> {
+    fn modulus_from_rounded_human(&self) -> Result<Option<f64>> {
         let human =
             animals().next().and_then(|human| human.printed(Column::CompositeModulus).parse::<f64>().ok());
         let ratio = self.ratios()?.plane_strain_modulus();

@@ -18,8 +18,8 @@ use osim_model::messages::Verb;
 use osim_requests::{PlotKind, RequestFault};
 
 use crate::args::{
-    Call, bare_command, command, is_quiet, suggest, suggested_axis, suggested_figure, suggested_plates, typed_call, usage_line,
-    verb_names,
+    Call, bare_command, command, is_quiet, suggest, suggested_axis, suggested_figure, suggested_plates,
+    typed_call, usage_line, verb_names,
 };
 use crate::exit::{Exit, exit_of, text_of};
 use crate::one_call::{COMMAND_LINE_WORDS, Session};

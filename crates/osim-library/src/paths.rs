@@ -60,10 +60,7 @@ pub(crate) fn similar_file(path: &Path) -> Option<PathBuf> {
 }
 
 /// Refuses the file `path`, which the user named, if its folder is not there and none of the `results` is written into it.
-pub fn require_folder_of<'p>(
-    path: &Path,
-    results: impl IntoIterator<Item = &'p Path>,
-) -> Result<()> {
+pub fn require_folder_of<'p>(path: &Path, results: impl IntoIterator<Item = &'p Path>) -> Result<()> {
     let folder = folder_of(path);
     // A folder that cannot be looked at is left to the system's own message.
     let is_missing = folder.try_exists().is_ok_and(|there| !there);

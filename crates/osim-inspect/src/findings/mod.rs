@@ -8,12 +8,12 @@ mod remedy;
 
 use std::cell::LazyCell;
 
+use crate::place_evidence::volume_of_published_bones;
 use osim_model::{
     FaultKind, Finding, FindingCode, ForceId, MassRequest, MassSource, Model, Property, Severity, Suspicion,
     YesQuestion, are_equal_masses,
 };
 use osim_requests::options::{AnswerOptions, ForceOptions, MassOptions};
-use crate::place_evidence::volume_of_published_bones;
 use osim_requests::{Kilograms, Request, RescaleRequest};
 
 use crate::findings::check_result::sort_findings;

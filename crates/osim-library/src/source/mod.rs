@@ -10,10 +10,10 @@ use std::fs::Metadata;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, SystemTime};
 
+use crate::paths::similar_file;
 use osim_model::FileId;
 use osim_model::files::{Failure, FileError, Files, ModelFiles};
 use osim_requests::options::SetFiles;
-use crate::paths::similar_file;
 
 use crate::fault::{Context, LibraryFault, Result};
 use crate::file_access::{self, FileKinds, sha256};

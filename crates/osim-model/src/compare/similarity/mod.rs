@@ -7,7 +7,8 @@ mod ratios;
 use std::collections::{BTreeSet, HashMap};
 
 use crate::model::{
-    BoneLengths, Document, ElementId, Fault, MassRequest, Model, NotRead, Result, SizedKind, SizedValue, SizedValues, opensim_text,
+    BoneLengths, Document, ElementId, Fault, MassRequest, Model, NotRead, Result, SizedKind, SizedValue,
+    SizedValues, opensim_text,
 };
 use ratios::SAME_NUMBER_TOLERANCE;
 

@@ -13,6 +13,7 @@ use foldhash::{HashSet, HashSetExt};
 use glam::DVec3;
 
 use crate::messages::three_significant;
+use surface::Result;
 pub use surface::{MeshFault, MeshSurface};
 
 /// The largest allowed coordinate or scale factor, so that products of two stay finite.
@@ -34,7 +35,7 @@ const LARGEST_LINE_DEVIATION: f64 = 1e-6;
 /// # Errors
 /// The bytes are not in this format or are cut off. A point is not finite, or far from all others. There are fewer than four or too many
 /// points, or all are on one line.
-pub fn mesh_points(name: &str, bytes: &[u8]) -> Result<Vec<[f64; 3]>, MeshFault> {
+pub fn mesh_points(name: &str, bytes: &[u8]) -> Result<Vec<[f64; 3]>> {
     let ending = name.rsplit_once('.').map(|(_, ending)| ending.to_ascii_lowercase());
     let points = match ending.as_deref() {
         Some("vtp") => vtp::points(bytes),
@@ -57,7 +58,7 @@ pub fn mesh_points(name: &str, bytes: &[u8]) -> Result<Vec<[f64; 3]>, MeshFault>
 ///
 /// # Errors
 /// The bytes are not in this format or are cut off; a point is not finite; there are too many points or triangles.
-pub fn mesh_surface(name: &str, bytes: &[u8]) -> Result<MeshSurface, MeshFault> {
+pub fn mesh_surface(name: &str, bytes: &[u8]) -> Result<MeshSurface> {
     let ending = name.rsplit_once('.').map(|(_, ending)| ending.to_ascii_lowercase());
     let surface = match ending.as_deref() {
         Some("vtp") => vtp::surface(bytes),
@@ -75,7 +76,7 @@ pub(crate) fn is_length(value: f64) -> bool {
 }
 
 /// Refuses a coordinate that is too large for any unit of length.
-fn refuse_large_coordinates(points: &[[f64; 3]]) -> Result<(), MeshFault> {
+fn refuse_large_coordinates(points: &[[f64; 3]]) -> Result<()> {
     for (index, point) in points.iter().enumerate() {
         if let Some((value, axis)) = point.iter().zip(['x', 'y', 'z']).find(|(value, _)| !is_length(**value))
         {
@@ -86,7 +87,7 @@ fn refuse_large_coordinates(points: &[[f64; 3]]) -> Result<(), MeshFault> {
 }
 
 /// The points without repeats, if they can be the points of a surface.
-fn checked_points(mut points: Vec<[f64; 3]>) -> Result<Vec<[f64; 3]>, MeshFault> {
+fn checked_points(mut points: Vec<[f64; 3]>) -> Result<Vec<[f64; 3]>> {
     refuse_large_coordinates(&points)?;
 
     let mut seen = HashSet::with_capacity(points.len());

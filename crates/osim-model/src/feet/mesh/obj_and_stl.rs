@@ -1,10 +1,10 @@
 //! Reads Wavefront files (.obj: the lines that begin with `v` and `f`) and stereolithography files (.stl: text or binary).
 
-use super::surface::{MeshFault, MeshSurface, add, check_point_count, parse_number};
+use super::surface::{MeshFault, MeshSurface, Result, add, check_point_count, parse_number};
 use crate::xml::opensim_text::words;
 
 /// The vertices of an .obj file. Numbers after x, y and z (a weight or a colour) are ignored.
-pub(super) fn obj_points(bytes: &[u8]) -> Result<Vec<[f64; 3]>, MeshFault> {
+pub(super) fn obj_points(bytes: &[u8]) -> Result<Vec<[f64; 3]>> {
     let text = String::from_utf8_lossy(bytes);
     let mut points = Vec::new();
     for line in text.lines() {
@@ -20,7 +20,7 @@ pub(super) fn obj_points(bytes: &[u8]) -> Result<Vec<[f64; 3]>, MeshFault> {
 
 /// The vertices and faces of an .obj file. A face gives the numbers of its corners: from 1, or below 0 counted back from the last vertex
 /// before the face.
-pub(super) fn obj_surface(bytes: &[u8]) -> Result<MeshSurface, MeshFault> {
+pub(super) fn obj_surface(bytes: &[u8]) -> Result<MeshSurface> {
     let mut surface = MeshSurface { points: obj_points(bytes)?, triangles: Vec::new() };
     let text = String::from_utf8_lossy(bytes);
     let mut before = 0_usize;
@@ -57,7 +57,7 @@ const STL_TRIANGLE_BYTES: usize = 50;
 const STL_NORMAL_BYTES: usize = 12;
 
 /// The corners of all triangles of an STL file, three points for each triangle.
-pub(super) fn stl_points(bytes: &[u8]) -> Result<Vec<[f64; 3]>, MeshFault> {
+pub(super) fn stl_points(bytes: &[u8]) -> Result<Vec<[f64; 3]>> {
     // Many binary files begin with "solid" too: the size decides.
     let count = bytes
         .get(STL_TITLE_BYTES..STL_HEADER_BYTES)
@@ -79,7 +79,7 @@ pub(super) fn stl_points(bytes: &[u8]) -> Result<Vec<[f64; 3]>, MeshFault> {
     }
 }
 
-fn binary_stl_points(triangles: &[u8]) -> Result<Vec<[f64; 3]>, MeshFault> {
+fn binary_stl_points(triangles: &[u8]) -> Result<Vec<[f64; 3]>> {
     check_point_count(triangles.len() / STL_TRIANGLE_BYTES)?;
     let mut points = Vec::new();
     for triangle in triangles.chunks_exact(STL_TRIANGLE_BYTES) {
@@ -91,7 +91,7 @@ fn binary_stl_points(triangles: &[u8]) -> Result<Vec<[f64; 3]>, MeshFault> {
     Ok(points)
 }
 
-fn text_stl_points(text: &str) -> Result<Vec<[f64; 3]>, MeshFault> {
+fn text_stl_points(text: &str) -> Result<Vec<[f64; 3]>> {
     if !text.contains("endsolid") {
         return Err(MeshFault::Truncated("its triangles"));
     }

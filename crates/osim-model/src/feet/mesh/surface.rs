@@ -1,5 +1,8 @@
 //! The surface of a mesh: its points and triangles; and the reasons why a mesh file cannot be read.
 
+/// What a mesh file gives, or why it cannot be read.
+pub(super) type Result<T, E = MeshFault> = std::result::Result<T, E>;
+
 /// Why a mesh file cannot be read.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum MeshFault {
@@ -49,7 +52,7 @@ pub struct MeshSurface {
 
 impl MeshSurface {
     /// A surface from `points`, of which each three in a row are one triangle.
-    pub(super) fn of_corners(points: Vec<[f64; 3]>) -> Result<Self, MeshFault> {
+    pub(super) fn of_corners(points: Vec<[f64; 3]>) -> Result<Self> {
         let mut surface = Self { points, triangles: Vec::new() };
         for first in (0..surface.points.len()).step_by(3) {
             surface.add_face(0, [first, first + 1, first + 2].map(Some))?;
@@ -62,7 +65,7 @@ impl MeshSurface {
         &mut self,
         start: usize,
         corners: impl IntoIterator<Item = Option<usize>>,
-    ) -> Result<(), MeshFault> {
+    ) -> Result<()> {
         let known = |corner: Option<usize>| {
             let at = corner?.checked_add(start).filter(|at| *at < self.points.len())?;
             u32::try_from(at).ok()
@@ -92,7 +95,7 @@ pub(super) const MOST_POINTS: usize = 2_000_000;
 pub(super) fn number_triples<'t>(
     words: impl Iterator<Item = &'t str>,
     what: &'static str,
-) -> Result<Vec<[f64; 3]>, MeshFault> {
+) -> Result<Vec<[f64; 3]>> {
     let mut points = Vec::new();
     let mut point = [0.0; 3];
     let mut filled = 0;
@@ -110,7 +113,7 @@ pub(super) fn number_triples<'t>(
     if filled == 0 { Ok(points) } else { Err(MeshFault::Truncated(what)) }
 }
 
-pub(super) fn parse_number(word: &str, what: &str) -> Result<f64, MeshFault> {
+pub(super) fn parse_number(word: &str, what: &str) -> Result<f64> {
     let broken = || MeshFault::NotUnderstood(format!("{:?} among {what} is not a number", shortened(word)));
     word.parse().map_err(|_| broken())
 }
@@ -121,12 +124,12 @@ pub(super) fn shortened(word: &str) -> String {
 }
 
 /// Adds a point, unless there are too many.
-pub(super) fn add(points: &mut Vec<[f64; 3]>, point: [f64; 3]) -> Result<(), MeshFault> {
+pub(super) fn add(points: &mut Vec<[f64; 3]>, point: [f64; 3]) -> Result<()> {
     points.push(point);
     check_point_count(points.len())
 }
 
-pub(super) fn check_point_count(points: usize) -> Result<(), MeshFault> {
+pub(super) fn check_point_count(points: usize) -> Result<()> {
     let most = MOST_POINTS;
     if points > most { Err(MeshFault::TooManyPoints { most }) } else { Ok(()) }
 }

@@ -7,7 +7,9 @@ use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 use flate2::read::ZlibDecoder;
 
-use super::surface::{MOST_POINTS, MeshFault, MeshSurface, check_point_count, number_triples, shortened};
+use super::surface::{
+    MOST_POINTS, MeshFault, MeshSurface, Result, check_point_count, number_triples, shortened,
+};
 use crate::xml::opensim_text::{trimmed, words};
 use crate::xml::{ElementId, SyntaxFault, Tree};
 
@@ -15,7 +17,7 @@ use crate::xml::{ElementId, SyntaxFault, Tree};
 const APPENDED_DATA_TAG: &[u8] = b"<AppendedData";
 
 /// The points of all pieces of a .vtp file.
-pub(super) fn points(bytes: &[u8]) -> Result<Vec<[f64; 3]>, MeshFault> {
+pub(super) fn points(bytes: &[u8]) -> Result<Vec<[f64; 3]>> {
     let mut all = Vec::new();
     for_each_piece(bytes, |_, _, _, points| {
         all.extend(points);
@@ -25,7 +27,7 @@ pub(super) fn points(bytes: &[u8]) -> Result<Vec<[f64; 3]>, MeshFault> {
 }
 
 /// The points and polygons of all pieces of a .vtp file. Strips and lines are left out: no known bone has any.
-pub(super) fn surface(bytes: &[u8]) -> Result<MeshSurface, MeshFault> {
+pub(super) fn surface(bytes: &[u8]) -> Result<MeshSurface> {
     let mut all = MeshSurface::default();
     for_each_piece(bytes, |tree, piece, coding, points| {
         let start = all.points.len();
@@ -57,8 +59,8 @@ fn no_points_fault() -> MeshFault {
 /// Calls `use_piece` with each piece of the file and the points of the piece.
 fn for_each_piece(
     bytes: &[u8],
-    mut use_piece: impl FnMut(&Tree, ElementId, &Coding<'_>, Vec<[f64; 3]>) -> Result<(), MeshFault>,
-) -> Result<(), MeshFault> {
+    mut use_piece: impl FnMut(&Tree, ElementId, &Coding<'_>, Vec<[f64; 3]>) -> Result<()>,
+) -> Result<()> {
     let (xml, appended) = split_appended_data(bytes);
     let tree = Tree::scan(xml).map_err(|error| xml_mesh_fault(&error.fault))?;
     if tree.name(ElementId::ROOT) != "VTKFile" {
@@ -107,7 +109,7 @@ fn xml_mesh_fault(fault: &SyntaxFault) -> MeshFault {
     })
 }
 
-fn read_array(tree: &Tree, array: ElementId, coding: &Coding<'_>) -> Result<Vec<[f64; 3]>, MeshFault> {
+fn read_array(tree: &Tree, array: ElementId, coding: &Coding<'_>) -> Result<Vec<[f64; 3]>> {
     let attribute = |key| tree.attribute(array, key).unwrap_or_default();
     let components = attribute("NumberOfComponents");
     if components != "3" {
@@ -121,11 +123,7 @@ fn read_array(tree: &Tree, array: ElementId, coding: &Coding<'_>) -> Result<Vec<
 }
 
 /// The numbers in an array of whole numbers, such as the point indices of polygons.
-fn whole_numbers_of_array(
-    tree: &Tree,
-    array: ElementId,
-    coding: &Coding<'_>,
-) -> Result<Vec<usize>, MeshFault> {
+fn whole_numbers_of_array(tree: &Tree, array: ElementId, coding: &Coding<'_>) -> Result<Vec<usize>> {
     match array_content(tree, array, coding)? {
         ArrayContent::Text(text) => {
             let broken = |word: &str| {
@@ -145,11 +143,7 @@ enum ArrayContent<'t> {
     Bytes(Vec<u8>),
 }
 
-fn array_content<'t>(
-    tree: &'t Tree,
-    array: ElementId,
-    coding: &Coding<'_>,
-) -> Result<ArrayContent<'t>, MeshFault> {
+fn array_content<'t>(tree: &'t Tree, array: ElementId, coding: &Coding<'_>) -> Result<ArrayContent<'t>> {
     let attribute = |key| tree.attribute(array, key).unwrap_or_default();
     match &*attribute("format") {
         "ascii" | "" => Ok(ArrayContent::Text(tree.text_of(array))),
@@ -202,7 +196,7 @@ impl<'b> Coding<'b> {
     }
 
     /// Decodes an array in the appended data, at `offset` bytes after the mark.
-    fn decode_appended(&self, offset: usize) -> Result<Vec<u8>, MeshFault> {
+    fn decode_appended(&self, offset: usize) -> Result<Vec<u8>> {
         let no_data =
             || MeshFault::NotUnderstood("its points are in <AppendedData>, which is not there".into());
         let bytes = self.appended.ok_or_else(no_data)?.get(offset..).ok_or(POINTS_TRUNCATED)?;
@@ -213,7 +207,7 @@ impl<'b> Coding<'b> {
     }
 
     /// The bytes of an array without its header, decompressed if necessary.
-    fn unpacked(&self, bytes: &[u8]) -> Result<Vec<u8>, MeshFault> {
+    fn unpacked(&self, bytes: &[u8]) -> Result<Vec<u8>> {
         match self.compressor.as_deref() {
             None => {
                 let size = self.header_number(bytes, 0)?;
@@ -230,7 +224,7 @@ impl<'b> Coding<'b> {
 
     /// Decompresses an array. Its header has the number of blocks, the size of a full block and of the last block, and the packed size of
     /// each block.
-    fn inflated(&self, bytes: &[u8]) -> Result<Vec<u8>, MeshFault> {
+    fn inflated(&self, bytes: &[u8]) -> Result<Vec<u8>> {
         let [count, full, last] =
             [self.header_number(bytes, 0)?, self.header_number(bytes, 1)?, self.header_number(bytes, 2)?];
         let start = count
@@ -249,7 +243,7 @@ impl<'b> Coding<'b> {
         Ok(all)
     }
 
-    fn header_number(&self, bytes: &[u8], index: usize) -> Result<usize, MeshFault> {
+    fn header_number(&self, bytes: &[u8], index: usize) -> Result<usize> {
         let start = index.checked_mul(self.header).ok_or(POINTS_TRUNCATED)?;
         let bytes = bytes.get(start..).and_then(|bytes| bytes.get(..self.header)).ok_or(POINTS_TRUNCATED)?;
         usize::try_from(self.integer(bytes)).map_err(|_| POINTS_TRUNCATED)
@@ -262,7 +256,7 @@ impl<'b> Coding<'b> {
 }
 
 /// Decompresses `packed`, which gives `size` bytes, and appends these to `all`.
-fn inflate(packed: &[u8], size: usize, all: &mut Vec<u8>) -> Result<(), MeshFault> {
+fn inflate(packed: &[u8], size: usize, all: &mut Vec<u8>) -> Result<()> {
     let end = all.len().checked_add(size).filter(|&end| end <= MOST_UNPACKED_BYTES);
     let end = end.ok_or(MeshFault::TooManyPoints { most: MOST_POINTS })?;
     // One more shows that there are too many.
@@ -273,7 +267,7 @@ fn inflate(packed: &[u8], size: usize, all: &mut Vec<u8>) -> Result<(), MeshFaul
 }
 
 /// Decodes base64. White space is skipped, and padding may stand at the end of each part.
-fn decode_base64(bytes: impl Iterator<Item = u8>) -> Result<Vec<u8>, MeshFault> {
+fn decode_base64(bytes: impl Iterator<Item = u8>) -> Result<Vec<u8>> {
     let text: Vec<u8> = bytes.filter(|byte| !byte.is_ascii_whitespace()).collect();
     let broken = || MeshFault::NotUnderstood("its points are not valid base64".into());
     let mut all = Vec::new();
@@ -290,7 +284,7 @@ fn decode_base64(bytes: impl Iterator<Item = u8>) -> Result<Vec<u8>, MeshFault> 
 }
 
 /// Turns decoded bytes into points of three numbers each. `kind` is the number type that the array declares.
-pub(super) fn read_points(bytes: &[u8], kind: &str, coding: &Coding<'_>) -> Result<Vec<[f64; 3]>, MeshFault> {
+pub(super) fn read_points(bytes: &[u8], kind: &str, coding: &Coding<'_>) -> Result<Vec<[f64; 3]>> {
     let values: Vec<f64> = match kind {
         "Float32" => {
             let read = if coding.big_endian { f32::from_be_bytes } else { f32::from_le_bytes };
@@ -310,7 +304,7 @@ pub(super) fn read_points(bytes: &[u8], kind: &str, coding: &Coding<'_>) -> Resu
 }
 
 /// Decodes an array of whole numbers. `kind` is the number type that the array declares.
-fn decode_integers(bytes: &[u8], kind: &str, coding: &Coding<'_>) -> Result<Vec<usize>, MeshFault> {
+fn decode_integers(bytes: &[u8], kind: &str, coding: &Coding<'_>) -> Result<Vec<usize>> {
     let width = match kind {
         "Int32" | "UInt32" => 4,
         "Int64" | "UInt64" => 8,
