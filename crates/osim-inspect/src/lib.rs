@@ -52,8 +52,7 @@ pub use inspection::{
 };
 pub use known_contacts::{KnownContacts, ReferenceContacts};
 pub use load::{
-    ContactsOrigin, InspectOptions, LoadSharing, MassMismatch, Stance, masses_perhaps_in_pounds,
-    unexplained_mass,
+    ContactsOrigin, InspectOptions, LoadSharing, MassMismatch, Stance, first_unexplained, unexplained_mass,
 };
 pub use plane_judgement::weight_share_on_floor;
 pub use quantity::Quantity;

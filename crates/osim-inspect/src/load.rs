@@ -242,21 +242,11 @@ impl MassMismatch {
 /// The first of the given masses that looks like a typing mistake or another unit for `model`, unless its note or the known contacts of
 /// the selected forces have that mass.
 pub fn unexplained_mass(masses: &MassRequest, model: &Model, selection: &Selection) -> Option<Suspicion> {
-    find_unexplained(masses.implausible_masses(model), masses, model, selection)
+    first_unexplained(masses.implausible_masses(model), masses, model, selection)
 }
 
-/// The first of the given masses that may be in pounds, but may also be right in kilograms. This is a reason for a remark, not for a
-/// question.
-pub fn masses_perhaps_in_pounds(
-    masses: &MassRequest,
-    model: &Model,
-    selection: &Selection,
-) -> Option<Suspicion> {
-    find_unexplained(masses.masses_perhaps_in_pounds(model), masses, model, selection)
-}
-
-/// The first of the `suspicions` about masses that neither the note nor known contacts explain.
-fn find_unexplained(
+/// The first of the `suspicions` about masses that neither the note in `model` nor the known contacts of the selected forces explain.
+pub fn first_unexplained(
     suspicions: Vec<Suspicion>,
     masses: &MassRequest,
     model: &Model,

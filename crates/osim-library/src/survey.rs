@@ -9,7 +9,7 @@ use osim_model::messages::{Input, Verb, phrase};
 use osim_planning::{Inspector, ModelFeet};
 use osim_requests::options::ReportOptions;
 use osim_requests::{CheckRequest, Jobs};
-use osim_view::html::{Columns, DetailLevel, Entry, NamedDigest, PageHead, Section};
+use osim_view::html::{Columns, DetailLevel, Entry, NamedDigest, PageHead};
 use osim_view::report::check::{self, LibraryTable};
 use osim_view::report::extent::Layout;
 use osim_view::report::inspection::{self, ModelsTable};
@@ -230,21 +230,17 @@ impl Survey<'_> {
             |(name, bytes): (&str, &[u8])| NamedDigest { name: name.to_owned(), sha256: sha256(bytes) };
         let files: Vec<NamedDigest> = opened.files().map(digest).collect();
         let detail = DetailLevel::for_models(self.sources.models.len() + self.sources.failures.len());
+        let recording = self.inspector.recording(&opened.name().to_path(), &Disk);
         let shown = osim_view::html::InspectedModelOnPage {
             options: &self.inspector.options,
             model: opened,
             examined: (inspection, check),
             files: &files,
             feet: detail.has_feet().then(|| self.feet_with_bones(opened)).flatten(),
-            recording: self.section_of_recording(opened),
+            recording: recording
+                .map(|(result, remarks)| osim_view::html::recording(&result, &remarks, self.words)),
         };
         osim_view::html::entry_of_inspected_model(shown, detail, self.words)
-    }
-
-    /// The section of the page about the model's contacts along the recorded motion, if the options name one.
-    fn section_of_recording(&self, opened: &OpenModel) -> Option<Section> {
-        let (result, remarks) = self.inspector.recording(&opened.name().to_path(), &Disk)?;
-        Some(osim_view::html::recording(&result, &remarks, self.words))
     }
 
     /// The feet of a model, with the bones whose meshes are available.

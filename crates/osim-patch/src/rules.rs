@@ -124,7 +124,7 @@ pub(crate) fn nothing_to_change(text: impl Into<Phrase>) -> Finding {
     Finding::new(&NOTHING_TO_CHANGE, text)
 }
 
-rule! { REFERENCE_WITHOUT_SMOOTHING: ReferenceWithoutSmoothing, Warning;
+rule! { pub(crate) REFERENCE_WITHOUT_SMOOTHING: ReferenceWithoutSmoothing, Warning;
     what: "The reference has no smoothing parameters to give.",
     why: "A HuntCrossleyForce has no constant_contact_force, hertz_smoothing or hunt_crossley_smoothing, so those of the model stay (or follow its own radii where these change).",
     advice: "Take the contacts from a model with SmoothSphereHalfSpaceForce, or check the smoothing with `inspect`",
@@ -132,14 +132,6 @@ rule! { REFERENCE_WITHOUT_SMOOTHING: ReferenceWithoutSmoothing, Warning;
     example: Example::Request {
         good: r#"{"verb": "transfer", "models": ["table1/human_62kg_smooth_sphere.osim"], "from": "table1/human_500kg_smooth_sphere.osim"}"#,
         bad: r#"{"verb": "transfer", "models": ["table1/human_62kg_smooth_sphere.osim"], "from": "table1/human_500kg_hunt_crossley.osim"}"# },
-}
-
-/// The warning that the reference `name` has no smoothing, so that the model's stays.
-pub(crate) fn reference_without_smoothing(name: &str) -> Finding {
-    Finding::new(
-        &REFERENCE_WITHOUT_SMOOTHING,
-        format!("{name} has no smoothing parameters: the model's own stay"),
-    )
 }
 
 // Remarks about a change beside its numbers.

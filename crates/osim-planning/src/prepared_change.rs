@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use osim_inspect::{
     ChangeableValues, CheckResult, InspectOptions, Inspection, ReferenceState, check_model,
-    masses_perhaps_in_pounds, unexplained_mass,
+    first_unexplained, unexplained_mass,
 };
 use osim_model::files::{Failure, Files, OpenModel};
 use osim_model::messages::{Input, Phrase, Verb, phrase, readable};
@@ -174,7 +174,9 @@ impl PreparedChange {
 
     /// Asks a question about radii that look like a typing mistake or another unit, and adds a remark if a mass is perhaps in pounds.
     fn ask_about_radii(&self, model: &Model, mut plan: Plan) -> Result<Plan, Fault> {
-        let question = masses_perhaps_in_pounds(&self.masses(), model, &self.options.selection);
+        let masses = self.masses();
+        let in_pounds = masses.masses_perhaps_in_pounds(model);
+        let question = first_unexplained(in_pounds, &masses, model, &self.options.selection);
         let is_meant = self.answers.confirms(YesQuestion::MassInPounds);
         plan.remarks.extend(question.filter(|_| !is_meant).map(|question| question.doubt()));
         match plan.implausible_radius(model) {

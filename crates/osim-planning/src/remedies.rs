@@ -64,7 +64,9 @@ impl RemedyTrials<'_> {
         for one in &mut found.findings {
             let mut both = steps.iter().zip(&remaining);
             let step_without_it = both.find(|(_, remaining)| is_put_right(one, remaining));
-            let step_without_it = step_without_it.filter(|_| may_have_command(one));
+            let may_have_command =
+                one.severity >= Severity::Warning && matches!(one.rule.repair, Repair::Command(_));
+            let step_without_it = step_without_it.filter(|_| may_have_command);
             one.remedy = step_without_it.map(|(step, _)| step.request.clone());
         }
         let is_right =
@@ -173,11 +175,6 @@ fn remedy_candidates(found: &CheckResult) -> Vec<RemedyCandidate> {
     all.sort_by(|a, b| rank(a).cmp(&rank(b)).then(constant(a).total_cmp(&constant(b))));
     all.extend(merged_designs(&all));
     all
-}
-
-/// Whether the check proposes commands for findings of this kind.
-fn may_have_command(finding: &FindingWithRemedy) -> bool {
-    finding.severity >= Severity::Warning && matches!(finding.rule.repair, Repair::Command(_))
 }
 
 /// Whether a warning or an error is not among the `remaining` findings, or is only a remark there, as with published contacts.

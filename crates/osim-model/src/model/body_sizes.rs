@@ -176,7 +176,7 @@ fn shape_of(components: &Components, body: ComponentId) -> BodyShape {
 }
 
 /// The inertia of a body as [`BodyShape`] has it. Documents before version 4 have its numbers in separate elements.
-fn inertia_kg_m2(components: &Components, body: ComponentId) -> Option<[f64; 6]> {
+pub(crate) fn inertia_kg_m2(components: &Components, body: ComponentId) -> Option<[f64; 6]> {
     let numbers = numbers_of_element(components, body, "inertia").filter(|numbers| numbers.len() >= 3);
     let number = |(place, tag): (usize, &str)| match &numbers {
         Some(numbers) => numbers.get(place).copied(),
@@ -185,11 +185,6 @@ fn inertia_kg_m2(components: &Components, body: ComponentId) -> Option<[f64; 6]>
     let [xx, yy, zz] = [(0, "inertia_xx"), (1, "inertia_yy"), (2, "inertia_zz")].map(number);
     let [xy, xz, yz] = [(3, "inertia_xy"), (4, "inertia_xz"), (5, "inertia_yz")].map(number);
     Some([xx?, yy?, zz?, xy.unwrap_or(0.0), xz.unwrap_or(0.0), yz.unwrap_or(0.0)])
-}
-
-/// Ixx + Iyy + Izz of a body, kg m².
-pub(crate) fn inertia_trace(components: &Components, body: ComponentId) -> Option<f64> {
-    inertia_kg_m2(components, body).map(|[xx, yy, zz, ..]| xx + yy + zz)
 }
 
 fn number_of_element(components: &Components, body: ComponentId, tag: &str) -> Option<f64> {

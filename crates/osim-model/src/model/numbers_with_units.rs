@@ -136,11 +136,11 @@ fn kind_of_property(rule: SizedKindRule, is_angle: Option<bool>) -> Option<Sized
 
 fn inertia_value(model: &Model, body: ComponentId) -> Option<SizedValue> {
     let components = model.components();
-    let value = crate::model::body_sizes::inertia_trace(components, body)?;
-    let owner = components.name(body).into_owned();
-    (!components.is_ground(body) && value.is_finite()).then_some(SizedValue {
+    let [xx, yy, zz, ..] = crate::model::body_sizes::inertia_kg_m2(components, body)?;
+    let value = xx + yy + zz;
+    (!components.is_ground(body) && value.is_finite()).then(|| SizedValue {
         kind: Inertia,
-        owner,
+        owner: components.name(body).into_owned(),
         part: ("inertia", 0),
         value,
     })

@@ -105,7 +105,8 @@ pub fn transfer(model: &Model, selected: &Selected, wanted: &Transfer) -> Result
     }
     let whole = !without_smoothing;
     if without_smoothing {
-        plan.findings.push(rules::reference_without_smoothing(&reference.name));
+        let text = format!("{} has no smoothing parameters: the model's own stay", reference.name);
+        plan.findings.push(Finding::new(&rules::REFERENCE_WITHOUT_SMOOTHING, text));
     }
     Ok(plan_with_note_and_remarks(plan, wanted, selected.complete && whole, &radii, change))
 }

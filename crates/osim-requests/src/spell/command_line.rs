@@ -74,15 +74,11 @@ impl Speller for CommandLine {
     fn request(&self, request: &Request) -> String {
         let fields = Fields::of(request);
         let mut words = vec![PROGRAM_NAME.to_owned(), fields.verb.name().to_owned()];
-        words.extend(fields.positional.iter().flat_map(positional_words));
+        let positional = fields.positional.iter().flat_map(|(_, value)| value.items());
+        words.extend(positional.map(|item| shell_quoted(&file_word(&item.text()))));
         words.extend(fields.options.iter().flat_map(|field| option_words(fields.verb, field)));
         words.join(" ")
     }
-}
-
-/// The arguments of a field that has no option.
-fn positional_words((_, value): &Field) -> Vec<String> {
-    value.items().iter().map(|item| shell_quoted(&file_word(&item.text()))).collect()
 }
 
 /// An option with its value, as one or several arguments.

@@ -44,7 +44,9 @@ impl Footprint {
     pub(super) fn around(flat: &[GroundPoint], near: &[DVec2]) -> Self {
         let mut whole: Vec<DVec2> = flat.iter().map(|point| point.at).collect();
         sort_and_dedup(&mut whole);
-        let ahead = lengthwise_direction(&convex_hull(&whole));
+        // Along the longest diameter if that is long enough, else forward.
+        let far = farthest_corners(&convex_hull(&whole));
+        let ahead = direction_of(&far, farthest_pair(&far));
         let across = ahead.perp();
         let share = |direction| {
             let all = extent(&whole, direction);
@@ -264,12 +266,7 @@ fn extreme_corners(corners: &[DVec2], count: usize) -> Vec<DVec2> {
     }
 }
 
-/// The direction from the rear to the front of an outline, of length 1: along its longest diameter if it is long enough, else forward.
-pub(super) fn lengthwise_direction(corners: &[DVec2]) -> DVec2 {
-    let far = farthest_corners(corners);
-    direction_of(&far, farthest_pair(&far))
-}
-
+/// The direction from the rear to the front of an outline, of length 1.
 fn direction_of(corners: &[DVec2], long: [DVec2; 2]) -> DVec2 {
     let whole = length_of_line(long);
     let [rear, front] = if long[0].x <= long[1].x { long } else { [long[1], long[0]] };

@@ -121,12 +121,6 @@ impl Fault {
         self
     }
 
-    /// Adds line and column, from the bytes of the file in which the error is.
-    pub(crate) fn located_in<'b>(self, bytes_of: impl FnOnce(FileId) -> &'b [u8]) -> Self {
-        let file = self.file;
-        self.located(bytes_of(file))
-    }
-
     /// Stable short name of the kind of error, as in the JSON `code`.
     pub fn code(&self) -> &'static str {
         self.kind.code()

@@ -291,7 +291,7 @@ impl OpenModel {
 
     /// A failure for `fault` in this model, with the name of its file and its place.
     pub fn failure(&self, fault: Fault) -> Failure {
-        let located = fault.located_in(|file| self.model.file(file).bytes());
-        self.names.failure(located)
+        let bytes = self.model.file(fault.file).bytes();
+        self.names.failure(fault.located(bytes))
     }
 }
