@@ -132,7 +132,8 @@ pub fn read(
             None => {}
         }
     }
-    let request = Request::read_typed(verb, fields)?;
+    // The parser has already checked required fields and fields that exclude each other.
+    let request = Request::read_checking(verb, fields, |relation| matches!(relation, Relation::Needs(..)))?;
     match request {
         Request::Set(mut request) => {
             let mut words = words.into_iter().peekable();

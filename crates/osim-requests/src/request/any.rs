@@ -7,8 +7,6 @@ use serde_json::error::Category;
 use serde_json::{Map, Value};
 
 use crate::dictionary::{self, all_fields};
-#[cfg(feature = "clap")]
-use crate::fault::Relation;
 use crate::fault::RequestFault;
 use crate::options::{AnswerOptions, MassOptions, OutputOptions, RunOptions, SetFiles};
 use crate::request::verbs::{Request, VERB_FIELD};
@@ -21,13 +19,6 @@ impl Request {
     /// An unknown field of the verb, a value of the wrong form, or fields that contradict or need each other.
     pub fn read(verb: Verb, fields: Map<String, Value>) -> Result<Self, RequestFault> {
         Self::read_checking(verb, fields, |_| true)
-    }
-
-    /// Reads the fields from a command line, whose parser has already checked required fields and fields that exclude each
-    /// other.
-    #[cfg(feature = "clap")]
-    pub(crate) fn read_typed(verb: Verb, fields: Map<String, Value>) -> Result<Self, RequestFault> {
-        Self::read_checking(verb, fields, |relation| matches!(relation, Relation::Needs(..)))
     }
 
     /// The mass options of a verb that changes models.
