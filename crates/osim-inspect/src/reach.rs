@@ -81,6 +81,7 @@ impl Reach {
 /// The reach of each foot sphere towards the next joint, of the foremost sphere along each foot, and of the most usual bottom below each
 /// ankle: only if this one is unusual, all spheres of the foot were moved.
 pub(crate) fn reaches(model: &Model, bones: &BodyBones) -> Vec<Reach> {
+    let reach = |sphere, value, towards, measure, usual| Reach { sphere, value, towards, measure, usual };
     let mut reaches = Vec::new();
     let mut foremost: BTreeMap<String, (SphereId, f64, f64)> = BTreeMap::new();
     let mut below_ankle: BTreeMap<String, (SphereId, f64)> = BTreeMap::new();
@@ -91,12 +92,10 @@ pub(crate) fn reaches(model: &Model, bones: &BodyBones) -> Vec<Reach> {
         // the bone is.
         let radius_m = sphere.radius.number;
         let next = bones.farthest_joint(body).filter(|(squared, _)| *squared > radius_m * radius_m);
-        reaches.extend(next.map(|(squared, joint)| Reach {
-            sphere: id,
-            value: centre.dot(joint.in_parent_m) / squared,
-            towards: joint.name.clone(),
-            measure: ReachMeasure::TowardsJoint,
-            usual: LEAST_TOWARDS_JOINT..=if joint.is_weld { f64::INFINITY } else { LARGEST_TOWARDS_JOINT },
+        reaches.extend(next.map(|(squared, joint)| {
+            let value = centre.dot(joint.in_parent_m) / squared;
+            let most = if joint.is_weld { f64::INFINITY } else { LARGEST_TOWARDS_JOINT };
+            reach(id, value, joint.name.clone(), ReachMeasure::TowardsJoint, LEAST_TOWARDS_JOINT..=most)
         }));
         let as_hind_part = |body: &str| bones.standard_foot(body).map(|foot| (body.to_owned(), foot));
         let as_toes = || {
@@ -122,19 +121,12 @@ pub(crate) fn reaches(model: &Model, bones: &BodyBones) -> Vec<Reach> {
             }
         }
     }
-    reaches.extend(foremost.into_iter().map(|(towards, (sphere, value, most))| Reach {
-        sphere,
-        value,
-        towards,
-        measure: ReachMeasure::AlongFoot,
-        usual: *USUAL_ALONG_FOOT.start()..=most,
+    reaches.extend(foremost.into_iter().map(|(hind, (id, value, most))| {
+        reach(id, value, hind, ReachMeasure::AlongFoot, *USUAL_ALONG_FOOT.start()..=most)
     }));
-    reaches.extend(below_ankle.into_iter().map(|(towards, (sphere, value))| Reach {
-        sphere,
-        value,
-        towards,
-        measure: ReachMeasure::BelowAnkle,
-        usual: USUAL_BELOW_ANKLE,
+    let below_ankle = below_ankle.into_iter();
+    reaches.extend(below_ankle.map(|(hind, (id, value))| {
+        reach(id, value, hind, ReachMeasure::BelowAnkle, USUAL_BELOW_ANKLE)
     }));
     reaches
 }
@@ -337,18 +329,12 @@ fn standard_foot(anatomy: &Anatomy, body: &str) -> Option<StandardFoot> {
     let toes =
         next.find_map(|joint| Some((joint, factors_of_opensim_bone(anatomy, &joint.child, "bofoot")?)));
     let heel = foot * HEEL_OF_OPENSIM_FOOT_X_M;
-    Some(match toes {
-        Some((joint, [toes, ..])) => {
-            let tip = joint.in_parent_m[0] - joint.in_child_m[0] + toes * TIP_OF_OPENSIM_TOES_X_M;
-            StandardFoot { heel, tip, longest_tip: tip, ankle_to_sole }
-        }
-        None => StandardFoot {
-            heel,
-            tip: foot * TIP_OF_OPENSIM_FOOT_X_M,
-            longest_tip: foot * (TOES_BEGIN_X_M + TIP_OF_OPENSIM_TOES_X_M),
-            ankle_to_sole,
-        },
-    })
+    let with_toes = toes.map(|(joint, [toes, ..])| {
+        joint.in_parent_m[0] - joint.in_child_m[0] + toes * TIP_OF_OPENSIM_TOES_X_M
+    });
+    let tip = with_toes.unwrap_or(foot * TIP_OF_OPENSIM_FOOT_X_M);
+    let longest_tip = with_toes.unwrap_or(foot * (TOES_BEGIN_X_M + TIP_OF_OPENSIM_TOES_X_M));
+    Some(StandardFoot { heel, tip, longest_tip, ankle_to_sole })
 }
 
 /// Factors whose relative difference is no more than this are equal: a millimetre on a human foot.
