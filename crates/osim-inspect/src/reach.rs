@@ -1,4 +1,4 @@
-//! How far spheres reach along the bones of a foot, and whether that is further than in any published model. Three measures are used:
+//! How far spheres reach along the bones of a foot, and whether that is further than in any published model. These measures are used:
 //!
 //! - towards the next joint: the sphere's centre is projected on the line from its body's origin to the body's farthest next joint, and
 //!   divided by their distance. Published models reach 1.341. A joint that is welded does not end the bone.
@@ -7,6 +7,8 @@
 //!   would end, because the foot may carry their spheres.
 //! - below the ankle: where bottoms of spheres on OpenSim's standard foot end, between its ankle (0) and the sole of its bones (1).
 //!   Published models have 1.00 to 1.98; a thick shoe adds 0.8.
+//! - behind the heel, along the foot, and beside the middle of the foot, in half widths of its bones. The rearmost centres of published
+//!   models are at 0.037 or more, the ones nearest to the middle at most 0.36 beside it.
 
 use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
@@ -28,6 +30,10 @@ const USUAL_ALONG_FOOT: RangeInclusive<f64> = 0.65..=1.05;
 const USUAL_BELOW_ANKLE: RangeInclusive<f64> = 0.6..=2.85;
 /// The middle of this range.
 const MIDDLE_BELOW_ANKLE: f64 = 1.725;
+/// Usual reach of the rearmost sphere along the foot.
+const USUAL_FROM_HEEL: RangeInclusive<f64> = -0.15..=f64::INFINITY;
+/// Usual reach of the sphere that is nearest to the middle of the foot, beside it.
+const USUAL_BESIDE_FOOT: RangeInclusive<f64> = 0.0..=1.5;
 
 /// How far one sphere reaches, towards the next joint or along the foot.
 #[derive(Debug, Clone, PartialEq)]
@@ -41,13 +47,15 @@ pub(crate) struct Reach {
     usual: RangeInclusive<f64>,
 }
 
-/// The length to which the reach of a sphere is compared: the distance to the next joint, the length of the foot, or the height of the
-/// ankle over the sole of the bones.
+/// The length to which the reach of a sphere is compared: the distance to the next joint, the length of the foot from its heel, the height
+/// of the ankle over the sole of the bones, or half the width of the foot.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum ReachMeasure {
     TowardsJoint,
     AlongFoot,
+    FromHeel,
     BelowAnkle,
+    BesideFoot,
 }
 
 impl Reach {
@@ -71,6 +79,12 @@ impl Reach {
             ReachMeasure::AlongFoot => format!(
                 "is the foremost of {towards} and lies at {value} of the foot's length, published ones at 0.69 to 1.01"
             ),
+            ReachMeasure::FromHeel => format!(
+                "lies behind the heel of {towards}: at {value} of the foot's length, published ones at 0.037 or more"
+            ),
+            ReachMeasure::BesideFoot => format!(
+                "lies beside {towards}: {value} half widths from its middle, published ones at most 0.36"
+            ),
             ReachMeasure::BelowAnkle => format!(
                 "ends at {value} of the way from the ankle of {towards} down to the sole of the bones, published ones at 1.00 to 1.98"
             ),
@@ -78,13 +92,13 @@ impl Reach {
     }
 }
 
-/// The reach of each foot sphere towards the next joint, of the foremost sphere along each foot, and of the most usual bottom below each
-/// ankle: only if this one is unusual, all spheres of the foot were moved.
+/// The reach of each foot sphere towards the next joint; and of the sphere of each foot that is foremost, rearmost, most usual below the
+/// ankle, and nearest to the middle. Only if the last two are unusual, all spheres of the foot were moved.
 pub(crate) fn reaches(model: &Model, bones: &BodyBones) -> Vec<Reach> {
     let reach = |sphere, value, towards, measure, usual| Reach { sphere, value, towards, measure, usual };
     let mut reaches = Vec::new();
-    let mut foremost: BTreeMap<String, (SphereId, f64, f64)> = BTreeMap::new();
-    let mut below_ankle: BTreeMap<String, (SphereId, f64)> = BTreeMap::new();
+    // For each foot the most usual reach along it, and of each sphere the reaches along it, below the ankle and beside the middle.
+    let mut feet: BTreeMap<String, (f64, Vec<(SphereId, DVec3)>)> = BTreeMap::new();
     for id in model.loaded_spheres(&model.force_ids()) {
         let (Some(sphere), Some(centre)) = (model.sphere(id), model.centre_m(id)) else { continue };
         let Some(body) = sphere.body.as_deref().filter(|body| bones.is_foot(body)) else { continue };
@@ -104,30 +118,28 @@ pub(crate) fn reaches(model: &Model, bones: &BodyBones) -> Vec<Reach> {
             Some((hind, foot, joint.in_parent_m - joint.in_child_m))
         };
         let foot = as_hind_part(body).map(|(hind, foot)| (hind, foot, DVec3::ZERO)).or_else(as_toes);
-        if let Some((hind, StandardFoot { heel, tip, longest_tip, ankle_to_sole }, origin)) = foot {
-            let place = origin + centre;
-            if let Some((ankle, _)) = bones.ankle_and_forward(&hind) {
-                let below = (ankle[1] - place[1] + radius_m) / ankle_to_sole;
-                let nearest = below_ankle.entry(hind.clone()).or_insert((id, below));
-                if (below - MIDDLE_BELOW_ANKLE).abs() < (nearest.1 - MIDDLE_BELOW_ANKLE).abs() {
-                    *nearest = (id, below);
-                }
-            }
-            let along = (place[0] - heel) / (tip - heel);
+        if let Some((hind, foot, origin)) = foot {
+            let StandardFoot { heel, tip, longest_tip, ankle_to_sole, half_width } = foot;
+            let (place, ankle) = (origin + centre, bones.ankle_and_forward(&hind));
+            let ankle_y = ankle.map_or(f64::NAN, |(ankle, _)| ankle[1]);
+            let below = (ankle_y - place[1] + radius_m) / ankle_to_sole;
             let most = USUAL_ALONG_FOOT.end() * (longest_tip - heel) / (tip - heel);
-            let first = foremost.entry(hind).or_insert((id, along, most));
-            if along > first.1 {
-                *first = (id, along, most);
-            }
+            let value = DVec3::new((place[0] - heel) / (tip - heel), below, place[2].abs() / half_width);
+            feet.entry(hind).or_insert((most, Vec::new())).1.push((id, value));
         }
     }
-    reaches.extend(foremost.into_iter().map(|(hind, (id, value, most))| {
-        reach(id, value, hind, ReachMeasure::AlongFoot, *USUAL_ALONG_FOOT.start()..=most)
-    }));
-    let below_ankle = below_ankle.into_iter();
-    reaches.extend(below_ankle.map(|(hind, (id, value))| {
-        reach(id, value, hind, ReachMeasure::BelowAnkle, USUAL_BELOW_ANKLE)
-    }));
+    for (hind, (most, spheres)) in feet {
+        // Each measure is the axis of the sphere for which `order` gives the least number.
+        let mut add = |measure, axis: usize, order: fn(f64) -> f64, usual| {
+            let values = spheres.iter().map(|(id, value)| (*id, value[axis]));
+            let least = values.min_by(|a, b| order(a.1).total_cmp(&order(b.1)));
+            reaches.extend(least.map(|(id, value)| reach(id, value, hind.clone(), measure, usual)));
+        };
+        add(ReachMeasure::AlongFoot, 0, |along| -along, *USUAL_ALONG_FOOT.start()..=most);
+        add(ReachMeasure::FromHeel, 0, |along| along, USUAL_FROM_HEEL);
+        add(ReachMeasure::BelowAnkle, 1, |below| (below - MIDDLE_BELOW_ANKLE).abs(), USUAL_BELOW_ANKLE);
+        add(ReachMeasure::BesideFoot, 2, |beside| beside, USUAL_BESIDE_FOOT);
+    }
     reaches
 }
 
@@ -142,6 +154,8 @@ const TIP_OF_OPENSIM_TOES_X_M: f64 = 0.076918;
 /// The height of the ankle over the sole of OpenSim's foot at factor 1, m: 0.04195 over the origin of the calcaneus, and the least y of
 /// `r_foot.vtp`, -0.009839.
 const ANKLE_TO_SOLE_OF_OPENSIM_FOOT_M: f64 = 0.051789;
+/// Half the extent of `r_foot.vtp` along z at factor 1, m: from -0.039235 to 0.045631.
+const HALF_WIDTH_OF_OPENSIM_FOOT_M: f64 = 0.042433;
 /// Place of the toe joint on the x axis of the foot in OpenSim's models, at factor 1, m.
 const TOES_BEGIN_X_M: f64 = 0.1788;
 
@@ -178,6 +192,8 @@ struct StandardFoot {
     longest_tip: f64,
     /// The height of the ankle over the sole of the bones, m.
     ankle_to_sole: f64,
+    /// Half the width of the bones, m.
+    half_width: f64,
 }
 
 impl BodyBones {
@@ -322,9 +338,10 @@ fn factors_of_opensim_bone(anatomy: &Anatomy, body: &str, bone: &str) -> Option<
 
 /// The ends of OpenSim's standard foot on `body`, if the body has the mesh of its hind part.
 fn standard_foot(anatomy: &Anatomy, body: &str) -> Option<StandardFoot> {
-    let [foot, height, _] = factors_of_opensim_bone(anatomy, body, "foot")?;
-    let is_plausible = PLAUSIBLE_FACTORS.contains(&height);
-    let ankle_to_sole = if is_plausible { height * ANKLE_TO_SOLE_OF_OPENSIM_FOOT_M } else { f64::NAN };
+    let [foot, height, width] = factors_of_opensim_bone(anatomy, body, "foot")?;
+    let plausible = |factor| if PLAUSIBLE_FACTORS.contains(&factor) { factor } else { f64::NAN };
+    let ankle_to_sole = plausible(height) * ANKLE_TO_SOLE_OF_OPENSIM_FOOT_M;
+    let half_width = plausible(width) * HALF_WIDTH_OF_OPENSIM_FOOT_M;
     let mut next = anatomy.joints_below(body);
     let toes =
         next.find_map(|joint| Some((joint, factors_of_opensim_bone(anatomy, &joint.child, "bofoot")?)));
@@ -334,7 +351,7 @@ fn standard_foot(anatomy: &Anatomy, body: &str) -> Option<StandardFoot> {
     });
     let tip = with_toes.unwrap_or(foot * TIP_OF_OPENSIM_FOOT_X_M);
     let longest_tip = with_toes.unwrap_or(foot * (TOES_BEGIN_X_M + TIP_OF_OPENSIM_TOES_X_M));
-    Some(StandardFoot { heel, tip, longest_tip, ankle_to_sole })
+    Some(StandardFoot { heel, tip, longest_tip, ankle_to_sole, half_width })
 }
 
 /// Factors whose relative difference is no more than this are equal: a millimetre on a human foot.
@@ -349,9 +366,9 @@ pub(crate) fn same_size(a: [f64; 3], b: [f64; 3]) -> bool {
 mod tests {
     use super::*;
 
-    /// The largest reach towards a joint, the least and largest reach along the foot, and the most usual reach below the ankle, in the
-    /// model of the corpus with these file names.
-    fn measured_reaches(names: &[&str]) -> Option<[f64; 4]> {
+    /// The largest reach towards a joint, the least and largest reach along the foot, the most usual one below the ankle, the rearmost one,
+    /// and the one nearest to the middle of the foot, in the model of the corpus with these file names.
+    fn measured_reaches(names: &[&str]) -> Option<[f64; 6]> {
         use osim_model::files::{CompanionPaths, InMemory, ModelFiles};
         let folder = std::env::var_os("OSIM_CORPUS").map(std::path::PathBuf::from)?;
         let read = |name: &str| std::fs::read(folder.join(name)).unwrap();
@@ -373,6 +390,8 @@ mod tests {
             values(ReachMeasure::AlongFoot).fold(f64::NAN, f64::min),
             values(ReachMeasure::AlongFoot).fold(f64::NAN, f64::max),
             values(ReachMeasure::BelowAnkle).fold(f64::NAN, f64::max),
+            values(ReachMeasure::FromHeel).fold(f64::NAN, f64::max),
+            values(ReachMeasure::BesideFoot).fold(f64::NAN, f64::max),
         ])
     }
 
@@ -386,15 +405,15 @@ mod tests {
         ];
         let none = f64::NAN;
         for (names, expected) in [
-            (&["v40000_toy_landing.osim"][..], [0.0551, 0.6915, 0.6915, 1.1962]),
-            (&["v40000_scone_h0914m.osim"], [none, 1.0061, 1.0061, 1.0997]),
-            (&["v30000_scone_h0914m.osim"], [none, 1.0061, 1.0061, 1.0997]),
-            (&["v40000_moco_2d_gait.osim"], [1.0868, 0.7680, 0.7680, 1.4577]),
-            (&["v40000_falisse_2022_human.osim"], [0.9075, 0.9576, 0.9576, 1.7360]),
-            (&["v30000_osim_rl_gait9dof18musc_crlf.osim"], [0.1653, 0.8233, 0.8233, 1.0417]),
-            (&["v20302_dynamic_jumper.osim"], [1.0325, 0.9777, 0.9777, 1.0041]),
-            (&["v40000_dhondt_2024_3seg_human.osim"], [1.0249, none, none, none]),
-            (&moco, [1.1374, 0.9551, 0.9551, 1.6126]),
+            (&["v40000_toy_landing.osim"][..], [0.0551, 0.6915, 0.6915, 1.1962, 0.0746, 0.1178]),
+            (&["v40000_scone_h0914m.osim"], [none, 1.0061, 1.0061, 1.0997, 0.1281, 0.0]),
+            (&["v30000_scone_h0914m.osim"], [none, 1.0061, 1.0061, 1.0997, 0.1281, 0.0]),
+            (&["v40000_moco_2d_gait.osim"], [1.0868, 0.7680, 0.7680, 1.4577, 0.1659, 0.0]),
+            (&["v40000_falisse_2022_human.osim"], [0.9075, 0.9576, 0.9576, 1.7360, 0.0447, 0.0987]),
+            (&["v30000_osim_rl_gait9dof18musc_crlf.osim"], [0.1653, 0.8233, 0.8233, 1.0417, 0.1499, 0.0]),
+            (&["v20302_dynamic_jumper.osim"], [1.0325, 0.9777, 0.9777, 1.0041, 0.0369, 0.3535]),
+            (&["v40000_dhondt_2024_3seg_human.osim"], [1.0249, none, none, none, none, none]),
+            (&moco, [1.1374, 0.9551, 0.9551, 1.6126, 0.0938, 0.2217]),
         ] {
             let Some(found) = measured_reaches(names) else {
                 eprintln!(

@@ -131,8 +131,6 @@ pub const DAMAGES: &[DamageKind] = &[
     ("heels' place in cm", "odd-place", |m| m.places(is_heel, |place| place.map(|value| value * 100.0))),
     ("heels 0.1 m too high (both)", "uneven-bottoms", |m| m.places(is_heel, |[x, y, z]| [x, y + 0.1, z])),
     ("heels 60 mm too low (both)", "uneven-bottoms", |m| m.places(is_heel, |[x, y, z]| [x, y - 0.06, z])),
-    ("all spheres 0.1 m too low", "spheres-misplaced", |m| all_higher(m, -0.1)),
-    ("all spheres 0.1 m too high", "spheres-misplaced", |m| all_higher(m, 0.1)),
     ("heels 80 mm ahead (both)", "spheres-misplaced", |m| m.places(is_heel, |[x, y, z]| [x + 0.08, y, z])),
     ("places of ground, not of the bodies", "odd-place", |m| m.places(is_any, |[x, y, z]| [x, y - 0.93, z])),
     ("toes' spheres put on calcn", "odd-place spheres-misplaced left-right-places uneven-bottoms", |m| {
@@ -274,11 +272,6 @@ const COLUMNS_OF_REPORT: [&str; 6] = [
     "viscous_friction",
     "transition_velocity",
 ];
-
-/// The text with all spheres higher by `by_m`, m, in a model with OpenSim's foot.
-fn all_higher(m: &Published, by_m: f64) -> Edited {
-    m.text.contains("foot.vtp").then(|| m.places(is_any, |[x, y, z]| [x, y + by_m, z]))?
-}
 
 /// The text with other tags: each of `old` becomes that of `new` at its position.
 fn with_tags(m: &Published, old: &[&str], new: &[&str]) -> String {

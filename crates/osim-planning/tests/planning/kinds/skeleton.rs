@@ -33,8 +33,19 @@ pub const SKELETON_DAMAGES: &[DamageKind] = &[
     ("all spheres on ground", "foot-sphere-on-ground", |m| {
         m.edit(SPHERE, FRAME, |_, old| Some(if old.contains('/') { "/ground" } else { "ground" }.to_owned()))
     }),
+    ("spheres 0.1 m low", "spheres-misplaced", |m| moved_on_foot(m, is_any, |[x, y, z]| [x, y - 0.1, z])),
+    ("spheres 0.1 m high", "spheres-misplaced", |m| moved_on_foot(m, is_any, |[x, y, z]| [x, y + 0.1, z])),
+    ("heels 0.1 m behind", "spheres-misplaced", |m| moved_on_foot(m, is_heel, |[x, y, z]| [x - 0.1, y, z])),
+    ("spheres 0.1 m beside the foot", "spheres-misplaced", |m| {
+        moved_on_foot(m, is_any, |[x, y, z]| [x, y, z + 0.1_f64.copysign(z)])
+    }),
     ("pelvis locked", "root-held", |m| with_locked_joints(m, |name| name.ends_with("_ty"))),
 ];
+
+/// The text with other places of spheres, in a model with OpenSim's foot.
+fn moved_on_foot(m: &Published, of: fn(&str) -> bool, place: fn([f64; 3]) -> [f64; 3]) -> Edited {
+    m.text.contains("foot.vtp").then(|| m.places(of, place))?
+}
 
 /// The foot of the right leg on ground.
 pub fn foot_on_ground(m: &Published) -> Edited {
