@@ -52,7 +52,10 @@ impl PlaceEvidence {
             Some(other) => return Self::OtherSize(other),
             None => {}
         }
-        let far: Vec<Reach> = reaches(model, bones).into_iter().filter(Reach::is_odd).collect();
+        // A sphere that is odd in several measures is named once.
+        let mut named = BTreeSet::new();
+        let far = reaches(model, bones).into_iter().filter(|one| one.is_odd() && named.insert(one.sphere));
+        let far: Vec<Reach> = far.collect();
         if !far.is_empty() {
             return Self::FarReach(far);
         }
