@@ -144,14 +144,14 @@ fn find_misplaced_objects(model: &Model) -> Vec<Finding> {
 }
 
 rule! { pub(super) IGNORED_CONTACTS: IgnoredContacts, Warning;
-    what: "Contacts are where OpenSim does not read them.",
+    what: "Objects are where OpenSim does not read them.",
     why: "OpenSim reads the first set of each kind, and of a set what is in its first <objects>. What is elsewhere is in the file, but not in the simulation.",
-    advice: "Move the contacts into the <objects> of the set that OpenSim reads",
-    repair: Repair::NotPossible("only numbers are changed, and the contacts have to move"),
+    advice: "Move them into the <objects> of the set that OpenSim reads",
+    repair: Repair::NotPossible("only numbers are changed, and the objects have to move"),
     example: Example::Models { good: "format/v40000.osim", bad: "bad/forceset_no_objects.osim" },
 }
 
-/// One finding for each place with contacts that OpenSim does not read.
+/// One finding for each place with contacts or joints that OpenSim does not read.
 fn find_ignored_contacts(model: &Model) -> Vec<Finding> {
     files_of_model(model).flat_map(|file| find_ignored_contacts_in_file(model, file)).collect()
 }
@@ -183,14 +183,15 @@ fn find_ignored_contacts_in_file(model: &Model, file: FileId) -> Vec<Finding> {
         let mut above = std::iter::successors(Some(id), |&id| tree.parent(id));
         above.any(|id| tree.name(id) == "defaults" || components.tree.skipped.contains(&(file, id)))
     };
-    let is_contact = |id: ElementId| {
+    let is_contact_or_joint = |id: ElementId| {
         let tag = tree.name(id);
-        // Most elements are neither.
+        // Most elements are none of these.
         let is_class = (tag.ends_with("Force") && FORCE_CLASSES.contains(&tag))
-            || (tag.starts_with("Contact") && GEOMETRY_CLASSES.contains(&tag));
+            || (tag.starts_with("Contact") && GEOMETRY_CLASSES.contains(&tag))
+            || (tag.ends_with("Joint") && component_classes().binary_search(&tag).is_ok());
         is_class && tree.attribute(id, "name").is_some()
     };
-    let is_ignored = |id| is_contact(id) && components.at(file, id).is_none() && !left_out(id);
+    let is_ignored = |id| is_contact_or_joint(id) && components.at(file, id).is_none() && !left_out(id);
     let mut ignored = Vec::new();
     // OpenSim reads the first element of a document alone.
     tree.walk(ElementId::ROOT, |id| {

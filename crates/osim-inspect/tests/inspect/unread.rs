@@ -74,6 +74,7 @@ fn each_kind_is_reported_once_at_its_place() {
         ("<Body name=\"pelvis\">", body, FindingCode::BodyWithoutJoint, Some("/bodyset/copy")),
         ("40000", "30000", FindingCode::OtherVersion, None),
         (force, &format!("{sphere}{force}"), FindingCode::MisplacedObject, Some("/forceset/ball")),
+        (set, &format!("<PinJoint name=\"odd\"></PinJoint>{set}"), FindingCode::IgnoredContacts, None),
         (
             set,
             "<ForceSet><objects/></ForceSet><ForceSet name=\"forceset\">",
