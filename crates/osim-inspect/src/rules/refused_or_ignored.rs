@@ -123,7 +123,7 @@ fn find_misplaced_objects(model: &Model) -> Vec<Finding> {
             _ if FORCE_CLASSES.contains(&tag) => "ForceSet",
             _ => components.tag(set),
         };
-        let is_of_other_kind = ["BodySet", "JointSet", "ContactGeometrySet", "ForceSet"]
+        let is_of_other_kind = ["BodySet", "JointSet", "ContactGeometrySet", "ForceSet", "ConstraintSet"]
             .contains(&components.tag(set))
             && set_of_kind != components.tag(set);
         let tree = components.document_of(id).tree();

@@ -112,6 +112,12 @@ fn each_kind_is_reported_once_at_its_place() {
             Some("/bodyset/contact_r"),
         ),
         (
+            set,
+            &format!("<ConstraintSet><objects>{force}</HuntCrossleyForce></objects></ConstraintSet>{set}"),
+            FindingCode::MisplacedObject,
+            Some("/constraintset/contact_r"),
+        ),
+        (
             "</Model>",
             "</Model><ForceSet><objects><HuntCrossleyForce name=\"late\"/></objects></ForceSet>",
             FindingCode::IgnoredContacts,
