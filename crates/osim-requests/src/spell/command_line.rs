@@ -37,7 +37,8 @@ impl Dialect for CommandLine {
                 // Within a sentence, lists and patterns read better without quotation marks.
                 let rest = value.replace([',', '*'], "");
                 let is_plain = shell_quoted(&rest) == rest;
-                format!("{name} {}", if is_plain { value.clone() } else { shell_quoted(value) })
+                let between = if value.starts_with('-') { '=' } else { ' ' };
+                format!("{name}{between}{}", if is_plain { value.clone() } else { shell_quoted(value) })
             }
             Some(placeholder) => format!("{name} {placeholder}"),
             None => name,
@@ -193,6 +194,7 @@ mod tests {
             &json!({"verb": "rescale", "models": ["-x.osim", "-"], "level": true, "level_axis": "-y", "output": "-o.osim"}),
             "rescale ./-x.osim - --level --level-axis=-y --output=-o.osim",
         );
+        assert_eq!(spelled("`exclude=-heel`"), "--exclude=-heel");
     }
 
     #[test]
