@@ -6,7 +6,7 @@ use osim_model::{
     Repair, Rule, Value,
 };
 
-use crate::rules::refused_or_ignored::{FORCE_CLASSES, MeantNames, find_unknown_children, known_children};
+use crate::rules::refused_or_ignored::{MeantNames, find_unknown_children, known_children};
 use crate::rules::unlikely_numbers::is_default_stiffness;
 
 /// A function that describes the fault of a value, in words that follow the name of the value; `None` if the value has no fault.
@@ -93,13 +93,6 @@ const OLD_BUSHING_TEXTS: &[WrittenProperties] = &[(
     OldNumbers(Some(3)),
     None,
 )];
-/// How OpenSim reads the properties of the stop of a joint: it refuses one without a transition.
-const LIMIT_TEXTS: &[WrittenProperties] = &[
-    (&["upper_stiffness", "lower_stiffness"], Numbers(1), Some("1")),
-    (&["upper_limit", "lower_limit"], Numbers(1), Some("0")),
-    (&["damping"], Numbers(1), Some("0.001")),
-    (&["transition"], Numbers(1), Some("0.1")),
-];
 /// How OpenSim reads the properties of a constraint that the default pose depends on.
 const CONSTRAINT_TEXTS: &[WrittenProperties] = &[
     (&["isEnforced"], Flag, Some("true")),
@@ -176,7 +169,8 @@ fn written_properties(class: &str) -> &'static [WrittenProperties] {
             ),
         ],
         "BushingForce" => OLD_BUSHING_TEXTS,
-        "CoordinateLimitForce" => LIMIT_TEXTS,
+        // OpenSim refuses one without a transition.
+        "CoordinateLimitForce" => &[(&["transition"], Numbers(1), Some("0.1"))],
         _ if class.ends_with("Frame") => FRAME_TEXTS,
         _ if class.ends_with("Joint") => JOINT_TEXTS,
         _ if class.ends_with("Constraint") => CONSTRAINT_TEXTS,
@@ -199,23 +193,29 @@ const PARTS_OF_AXIS: &[&str] = &[
     "SimmSpline",
 ];
 
-/// What may be in a list `tag` of a joint or a constraint, which is in an element `parent`; none if it is another element.
-fn members_of_list<'t>(tag: &str, parent: impl Fn() -> &'t str) -> &'static [&'static str] {
+/// What is in an element `tag` of a skeleton beside numbers and flags, if its names are looked at. It is in an element `parent`.
+fn known_parts<'t>(tag: &str, parent: impl Fn() -> &'t str) -> &'static [&'static str] {
     match tag {
         "SpatialTransform" => &["TransformAxis"],
+        "CoordinateSet" => &["objects"],
         "objects" if parent() == "CoordinateSet" => &["Coordinate"],
         "coordinates" if parent().ends_with("Joint") => &["Coordinate"],
-        "CoordinateSet" => &["objects"],
-        "Ground" => &PARTS_OF_FRAME,
-        "function" | "coupled_coordinates_function" | "prescribed_function" => PARTS_OF_AXIS,
+        "Body" => &["mass", "Joint", "FrameGeometry", "frame_geometry"],
+        "CoordinateCouplerConstraint" => {
+            &["coupled_coordinates_function", "independent_coordinate_names", "dependent_coordinate_name"]
+        }
+        "function"
+        | "coupled_coordinates_function"
+        | "prescribed_function"
+        | "TransformAxis"
+        | "MultiplierFunction" => PARTS_OF_AXIS,
+        _ if tag == "Ground" || tag.ends_with("Frame") => &["FrameGeometry", "frame_geometry"],
+        _ if tag.ends_with("Joint") => {
+            &["frames", "coordinates", "CoordinateSet", "SpatialTransform", "parent_body"]
+        }
         _ => &[],
     }
 }
-
-/// The names of coordinates in a coupler.
-const COUPLED_NAMES: [&str; 2] = ["independent_coordinate_names", "dependent_coordinate_name"];
-/// What OpenSim refuses in a frame if it does not know its name.
-const PARTS_OF_FRAME: [&str; 2] = ["FrameGeometry", "frame_geometry"];
 
 /// Finds texts of numbers and flags that OpenSim reads as other values than are written, or that are not finite. OpenSim silently takes its
 /// default if it cannot read a text.
@@ -247,30 +247,18 @@ pub(super) fn find_misread_texts(model: &Model) -> Vec<Finding> {
             let is_looked_at = is_object && (!is_of_controller || PARTS_OF_AXIS.contains(&class));
             let all = if is_looked_at { written_properties(class) } else { &[] };
             let above = || parent.map_or("", |parent| tree.name(parent));
-            let members = if is_of_controller { &[] } else { members_of_list(class, above) };
-            if !members.is_empty() {
-                found.extend(find_unknown_children(model, component.file, element, (members, &mut meant)));
+            let parts = if is_of_controller { &[] } else { known_parts(class, above) };
+            if all.is_empty() && parts.is_empty() {
+                return true;
+            }
+            if class == "Model" || known_children(document, element).is_none_or(<[_]>::is_empty) {
+                let numbers = all.iter().flat_map(|(tags, ..)| tags.iter());
+                known.clear();
+                known.extend(parts.iter().chain(numbers).copied());
+                found.extend(find_unknown_children(model, component.file, element, (&known, &mut meant)));
             }
             if all.is_empty() {
                 return true;
-            }
-            if known_children(document, element).is_none() || class == "Model" {
-                let others: &[&str] = match class {
-                    "Body" => &["mass", "Joint", PARTS_OF_FRAME[0], PARTS_OF_FRAME[1]],
-                    "TransformAxis" | "MultiplierFunction" => PARTS_OF_AXIS,
-                    "CoordinateCouplerConstraint" => {
-                        &["coupled_coordinates_function", COUPLED_NAMES[0], COUPLED_NAMES[1]]
-                    }
-                    _ if class.ends_with("Frame") => &PARTS_OF_FRAME,
-                    _ if class.ends_with("Joint") => {
-                        &["frames", "coordinates", "CoordinateSet", "SpatialTransform", "parent_body"]
-                    }
-                    _ => &[],
-                };
-                let numbers = all.iter().flat_map(|(tags, ..)| tags.iter());
-                known.clear();
-                known.extend(others.iter().chain(numbers).copied());
-                found.extend(find_unknown_children(model, component.file, element, (&known, &mut meant)));
             }
             children.clear();
             children.extend(tree.children(element).map(|child| (tree.name(child), child)));
@@ -299,19 +287,8 @@ pub(super) fn find_misread_texts(model: &Model) -> Vec<Finding> {
 
 /// Whether poses, masses or contact forces depend on components of the class `tag`.
 fn is_read(tag: &str) -> bool {
-    let others = [
-        "Model",
-        "Ground",
-        "Body",
-        "BushingForce",
-        "CoordinateLimitForce",
-        "ContactSphere",
-        "ContactEllipsoid",
-        "ContactHalfSpace",
-    ];
-    others.contains(&tag)
-        || FORCE_CLASSES.contains(&tag)
-        || ["Frame", "Joint", "Constraint"].iter().any(|ending| tag.ends_with(ending))
+    // Parameters are read with their force.
+    tag == "Ground" || (!tag.contains("::") && !written_properties(tag).is_empty())
 }
 
 /// The path of `part`, which is `whole` or an object inside it, from the path of `whole`.
@@ -349,8 +326,7 @@ fn misread_text(
             return Some((&ODD_NUMBER, text));
         }
         // A coordinate may be without bounds.
-        let is_bound = tag == "range" || tag.ends_with("_limit");
-        let is_fine = |value: &f64| value.is_finite() || (is_bound && !value.is_nan());
+        let is_fine = |value: &f64| value.is_finite() || (tag == "range" && !value.is_nan());
         let listed = || format!("is {}", in_words(&read));
         return (!read.iter().all(is_fine)).then(|| (&NOT_FINITE, listed()));
     }

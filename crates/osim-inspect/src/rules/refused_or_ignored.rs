@@ -237,7 +237,7 @@ rule! { pub(super) UNKNOWN_NAME: UnknownName, Error;
 
 const PARAMETERS_TAG: &str = "HuntCrossleyForce::ContactParameters";
 const FOUNDATION_TAG: &str = "ElasticFoundationForce::ContactParameters";
-pub(super) static FORCE_CLASSES: [&str; 3] =
+static FORCE_CLASSES: [&str; 3] =
     [ForceKind::HuntCrossley.as_str(), ForceKind::SmoothSphereHalfSpace.as_str(), "ElasticFoundationForce"];
 /// Classes of early versions of Moco that OpenSim does not have, with the classes that took their place.
 const RENAMED_CLASSES: [(&str, &str); 1] = [("AckermannVanDenBogert2010Force", "SmoothSphereHalfSpaceForce")];
