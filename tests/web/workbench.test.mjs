@@ -332,6 +332,15 @@ inChromium("1,500 is asked about: it may be either", async (user) => {
   await user.form.getByRole("alert").filter({ hasText: "Write 1500, or 1.500 with a decimal point: the comma can mean either." }).waitFor();
 });
 
+inChromium("without meshes a body has capsules for limbs and a wedge for each foot; with meshes, bones", async (user) => {
+  const drawn = (shapes) => user.page.waitForFunction((text) => new RegExp(text).test(document.getElementById("stage-canvas").dataset.shapes), shapes);
+  await user.open(HUMAN);
+  await drawn("^0 bones, 2 wedges, [1-9][0-9]* capsules$");
+  await user.button("Close human.osim").click();
+  await user.open(BARE, ...["r_human_foot", "l_human_foot", "r_human_toes", "l_human_toes"].map((name) => given(`feet/Geometry/${name}.vtp`)));
+  await drawn("^4 bones, 0 wedges, ");
+});
+
 inChromium("meshes that are not here are named", async (user) => {
   await user.open(BARE);
   await user.page.getByText(/^To see its bones, open the folder Geometry, too\. Not here: .*r_human_foot\.vtp/).waitFor();

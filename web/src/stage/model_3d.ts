@@ -306,18 +306,24 @@ export class Stage {
       return rest ? [from, to].map((end) => new Vector3(...end).applyMatrix4(rest)) : [];
     });
     const inWedge = new Set<string>();
+    let [wedges, capsules] = [0, 0];
     for (const foot of spheresOfFeet(scene.spheres)) {
       const [group, bodies] = [this.#bodyGroups.get(foot[0]?.body ?? ""), foot.map(({ body }) => body)];
       if (!group || bodies.some((body) => withBones.has(body))) continue;
       const wedge = new Mesh(footWedge(foot, joints, scene.axes), this.#materials.foot);
       wedge.geometry.applyMatrix4(group.matrix.clone().invert());
       group.add(wedge);
+      wedges += 1;
       for (const body of bodies) inWedge.add(body);
     }
     const thickest = 0.06 * bodyHeight(scene);
     for (const { body, from_m: from, to_m: to } of scene.lines) {
-      if (!withBones.has(body) && !inWedge.has(body)) this.#bodyGroups.get(body)?.add(limb(from, to, thickest, this.#materials.bone));
+      if (withBones.has(body) || inWedge.has(body)) continue;
+      this.#bodyGroups.get(body)?.add(limb(from, to, thickest, this.#materials.bone));
+      capsules += 1;
     }
+    // For tests: what is drawn is not in the page's text.
+    this.canvas.dataset["shapes"] = `${withBones.size} bones, ${wedges} wedges, ${capsules} capsules`;
   }
 
   #showSpheres({ now, after, standing }: ShownModel): void {
