@@ -200,29 +200,22 @@ rule! { pub(super) CONTACT_DEFAULTS: ContactDefaults, Warning;
 
 /// Finds contact objects in `<defaults>`, which OpenSim keeps for models that it loads later.
 pub(super) fn find_contact_defaults(model: &Model) -> Vec<Finding> {
-    let mut found = Vec::new();
     let document = model.document();
     let tree = document.tree();
-    let Some(defaults) = document.defaults() else { return found };
     let classes = [
         Class::SmoothSphereHalfSpaceForce,
         Class::HuntCrossleyForce,
         Class::ContactParameters,
         Class::ContactSphere,
     ];
-    for class in classes {
-        if let Some(default) = tree.child(defaults, class.tag()) {
-            // OpenSim itself writes defaults without content; those carry nothing.
-            if tree.children(default).next().is_none() {
-                continue;
-            }
-            let position = document.position_of(default);
-            let text =
-                format!("<defaults> holds a {}: OpenSim keeps it for models loaded later", class.tag());
-            found.push(Finding::at(&CONTACT_DEFAULTS, position, text));
-        }
-    }
-    found
+    let finding = |class: Class| {
+        let default = tree.child(document.defaults()?, class.tag())?;
+        // OpenSim itself writes defaults without content; those carry nothing.
+        tree.children(default).next()?;
+        let text = format!("<defaults> holds a {}: OpenSim keeps it for models loaded later", class.tag());
+        Some(Finding::at(&CONTACT_DEFAULTS, document.position_of(default), text))
+    };
+    classes.into_iter().filter_map(finding).collect()
 }
 
 rule! { pub(super) INCLUDED_FILE: IncludedFile, Remark;
@@ -235,18 +228,15 @@ rule! { pub(super) INCLUDED_FILE: IncludedFile, Remark;
 
 /// Finds contacts in included files, which can be read but not changed.
 pub(super) fn find_included_file(model: &Model) -> Vec<Finding> {
-    let mut found = Vec::new();
     let forces = model.forces().iter().map(|force| (force.file, &force.path));
     let spheres = model.spheres().iter().map(|sphere| (sphere.file, &sphere.path));
     let mut reported: HashSet<FileId> = HashSet::new();
-    for (file, path) in forces.chain(spheres) {
-        if let (Some(name), false) = (model.included_file(file), reported.contains(&file)) {
-            let text = format!("{path} and others are in the file '{name}' that the model includes");
-            found.push(Finding::new(&INCLUDED_FILE, text));
-            reported.insert(file);
-        }
-    }
-    found
+    let finding = |(file, path): (FileId, &String)| {
+        let name = model.included_file(file).filter(|_| reported.insert(file))?;
+        let text = format!("{path} and others are in the file '{name}' that the model includes");
+        Some(Finding::new(&INCLUDED_FILE, text))
+    };
+    forces.chain(spheres).filter_map(finding).collect()
 }
 
 rule! { pub(super) UNKNOWN_CLASS: UnknownClass, Error;
@@ -259,22 +249,18 @@ rule! { pub(super) UNKNOWN_CLASS: UnknownClass, Error;
 
 /// Finds contacts in components whose classes OpenSim does not know.
 pub(super) fn find_unknown_class(model: &Model) -> Vec<Finding> {
-    let mut found = Vec::new();
     let components = model.components();
-    for &(file, element) in &components.tree.skipped {
+    let finding = |&(file, element): &(FileId, ElementId)| {
         let document = components.document(file);
         let tree = document.tree();
-        let text = tree.slice(tree.span(element));
-        if text.contains("<HuntCrossleyForce ") || text.contains("<SmoothSphereHalfSpaceForce ") {
-            let position = document.position_of(element);
-            let text = format!(
-                "contacts inside a <{}> are not changed: OpenSim does not know that class",
-                tree.name(element)
-            );
-            found.push(Finding::at(&UNKNOWN_CLASS, position, text));
-        }
-    }
-    found
+        let written = tree.slice(tree.span(element));
+        let mut tags = ["<HuntCrossleyForce ", "<SmoothSphereHalfSpaceForce "].into_iter();
+        tags.find(|tag| written.contains(tag))?;
+        let class = tree.name(element);
+        let text = format!("contacts inside a <{class}> are not changed: OpenSim does not know that class");
+        Some(Finding::at(&UNKNOWN_CLASS, document.position_of(element), text))
+    };
+    components.tree.skipped.iter().filter_map(finding).collect()
 }
 
 /// Applies the rules about single components, in the order of the component tree.
