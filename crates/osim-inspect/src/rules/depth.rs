@@ -25,17 +25,22 @@ pub(super) fn find_sunk_in_spheres(check: &FigureCheck<'_>) -> Option<FindingWit
     sunk_in_level(check).or_else(|| sunk_in_at_own_heights(check))
 }
 
-/// Finds spheres that sink in up to their centres even if all bottoms are level. No body stands on a wall, or, if it has feet, on one hand.
-fn sunk_in_level(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> {
+/// Whether the limb of a sphere can carry the body alone. No body stands on a wall, or, if it has feet, on one hand.
+fn can_carry(check: &FigureCheck<'_>) -> impl Fn(&SphereFigures) -> bool {
     let on_floors = bottoms_by_path(check);
     let spheres = check.inspected.spheres.iter();
     let on_feet = spheres.filter(|one| one.body.as_deref().is_some_and(is_named_after_foot));
     let on_feet: Vec<&str> = on_feet.map(|one| one.path.as_str()).collect();
-    let carries = |sphere: &SphereFigures| {
+    move |sphere| {
         let path = sphere.path.as_str();
         (on_floors.is_empty() || on_floors.contains_key(path))
             && (on_feet.is_empty() || on_feet.contains(&path))
-    };
+    }
+}
+
+/// Finds spheres that sink in up to their centres even if all bottoms are level.
+fn sunk_in_level(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> {
+    let carries = can_carry(check);
     let affected = check.spheres_with(|sphere| {
         sphere.value(Figure::Indentation).filter(|&x| x >= UP_TO_CENTRE_RADII && carries(sphere))
     })?;
@@ -75,7 +80,7 @@ fn carrying_limbs(check: &FigureCheck<'_>) -> String {
 /// Finds limbs whose lower spheres alone carry the weight that all spheres should carry. The contacts are not too soft. The finding is a
 /// remark if the foot leans, because then the pose decides which spheres are low.
 fn sunk_in_at_own_heights(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> {
-    let bottoms = bottoms_by_path(check);
+    let (bottoms, carries) = (bottoms_by_path(check), can_carry(check));
     let limb_leans = |sphere: &SphereFigures| {
         let mut limbs = check.inspected.figures.limbs.iter();
         let limb = limbs.find(|limb| limb.spheres.iter().any(|one| one.path == sphere.path));
@@ -84,7 +89,7 @@ fn sunk_in_at_own_heights(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> 
     let too_deep = |leans: bool| {
         check.spheres_with(|sphere| {
             let x = sphere.value(Figure::StandingIndentationModelLaw);
-            x.filter(|&x| x >= UP_TO_CENTRE_RADII && limb_leans(sphere) == leans)
+            x.filter(|&x| x >= UP_TO_CENTRE_RADII && carries(sphere) && limb_leans(sphere) == leans)
         })
     };
     if let Some(affected) = too_deep(true).filter(|_| too_deep(false).is_none()) {
