@@ -28,13 +28,13 @@ pub(super) fn find_sunk_in_spheres(check: &FigureCheck<'_>) -> Option<FindingWit
 /// Whether the limb of a sphere can carry the body alone. No body stands on a wall, or, if it has feet, on one hand.
 fn can_carry(check: &FigureCheck<'_>) -> impl Fn(&SphereFigures) -> bool {
     let on_floors = bottoms_by_path(check);
-    let spheres = check.inspected.spheres.iter();
-    let on_feet = spheres.filter(|one| one.body.as_deref().is_some_and(is_named_after_foot));
-    let on_feet: Vec<&str> = on_feet.map(|one| one.path.as_str()).collect();
+    let carriers = check.inspected.spheres.iter().filter_map(|one| Some((&one.path, one.body.as_deref()?)));
+    let has_feet = carriers.clone().any(|(_, body)| is_named_after_foot(body));
+    let on_hands = carriers.filter(|(_, body)| has_feet && body.to_lowercase().contains("hand"));
+    let on_hands: Vec<&String> = on_hands.map(|(path, _)| path).collect();
     move |sphere| {
-        let path = sphere.path.as_str();
-        (on_floors.is_empty() || on_floors.contains_key(path))
-            && (on_feet.is_empty() || on_feet.contains(&path))
+        let is_on_floor = on_floors.is_empty() || on_floors.contains_key(sphere.path.as_str());
+        is_on_floor && !on_hands.contains(&&sphere.path)
     }
 }
 
