@@ -87,20 +87,9 @@ impl ContactReader<'_> {
             let seen = seen_from_whole(tree, object, components.element(id), &text);
             let is_exact = is_component || text.starts_with('/') || seen.is_some();
             let seen = Connectee { text: seen.unwrap_or(&text).to_owned(), element, legacy: false };
-            let connectee = Connectee { text: text.to_string(), element, legacy: false };
-            match components.frame_of(id, &seen) {
-                Some(found) if found.by_name || !is_exact => {
-                    self.record_component_taken_by_name(id, &connectee, found.component);
-                }
-                Some(_) if text.starts_with('/') => {
-                    found_paths.insert(text);
-                }
-                Some(_) => {}
-                None => {
-                    let (position, text) = (document.position_of(element), connectee.text);
-                    let (owner, socket) = (components.tree.path(id), socket.to_owned());
-                    self.irregularities.push(Irregularity::LeadsNowhere { owner, socket, text, position });
-                }
+            let written = Connectee { text: text.to_string(), element, legacy: false };
+            if self.record_if_lost(id, socket, (&written, &seen), is_exact) && text.starts_with('/') {
+                found_paths.insert(text);
             }
         }
     }
@@ -113,49 +102,57 @@ impl ContactReader<'_> {
             if components.tag(id) != "ElasticFoundationForce" || !components.main().is_model() {
                 continue;
             }
-            let document = components.document(component.file);
-            let tree = document.tree();
+            let tree = components.document(component.file).tree();
             tree.walk(component.element, |element| {
                 if tree.name(element) != "geometry" {
                     return true;
                 }
                 let names = tree.text_of(element);
                 let is_lost = |name: &&str| self.geometry_in_model(name, is_geometry).is_none();
-                let lost = list_words(&names).find(is_lost);
-                self.irregularities.extend(lost.map(|name| Irregularity::LeadsNowhere {
-                    owner: components.tree.path(id),
-                    socket: "geometry".to_owned(),
-                    text: name.to_owned(),
-                    position: document.position_of(element),
-                }));
+                if let Some(lost) = list_words(&names).find(is_lost) {
+                    self.record_nowhere(id, "geometry", lost, element);
+                }
                 true
             });
         }
     }
 
     fn record_socket(&mut self, id: ComponentId, socket: &'static str, legacy: &[&str]) {
-        let (text, position) = match self.components.connectee(id, socket, legacy) {
-            Some(connectee) => match self.components.frame_of(id, &connectee) {
-                Some(found) if found.by_name => {
-                    return self.record_component_taken_by_name(id, &connectee, found.component);
-                }
-                Some(_) => return,
-                None => {
-                    let document = self.components.document_of(id);
-                    let position = document.position_of(connectee.element);
-                    (connectee.text, position)
-                }
-            },
-            None => {
-                let (document, element) = (self.components.document_of(id), self.components.element(id));
-                let empty = document.tree().child(element, &format!("socket_{socket}"));
-                if empty.is_none() && document.version() < FIRST_VERSION_WITH_SOCKETS {
-                    return;
-                }
-                (String::new(), document.position_of(empty.unwrap_or(element)))
+        if let Some(connectee) = self.components.connectee(id, socket, legacy) {
+            self.record_if_lost(id, socket, (&connectee, &connectee), true);
+            return;
+        }
+        let (document, element) = (self.components.document_of(id), self.components.element(id));
+        let empty = document.tree().child(element, &format!("socket_{socket}"));
+        if empty.is_some() || document.version() >= FIRST_VERSION_WITH_SOCKETS {
+            self.record_nowhere(id, socket, "", empty.unwrap_or(element));
+        }
+    }
+
+    /// Records a socket that is not exact, was resolved by name, or leads nowhere: as it is written, and as seen from component `id`.
+    /// Returns whether nothing was to be recorded.
+    fn record_if_lost(
+        &mut self,
+        id: ComponentId,
+        socket: &str,
+        (written, seen): (&Connectee, &Connectee),
+        is_exact: bool,
+    ) -> bool {
+        let found = self.components.frame_of(id, seen);
+        match &found {
+            Some(found) if found.by_name || !is_exact => {
+                self.record_component_taken_by_name(id, written, found.component);
             }
-        };
-        let (owner, socket) = (self.components.tree.path(id), socket.to_owned());
+            Some(_) => return true,
+            None => self.record_nowhere(id, socket, &written.text, written.element),
+        }
+        false
+    }
+
+    fn record_nowhere(&mut self, id: ComponentId, socket: &str, text: &str, at: ElementId) {
+        let position = self.components.document_of(id).position_of(at);
+        let owner = self.components.tree.path(id);
+        let (socket, text) = (socket.to_owned(), text.to_owned());
         self.irregularities.push(Irregularity::LeadsNowhere { owner, socket, text, position });
     }
 
