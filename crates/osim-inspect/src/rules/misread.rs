@@ -326,9 +326,10 @@ fn misread_text(
             return Some((&ODD_NUMBER, text));
         }
         // A coordinate may be without bounds.
-        let is_fine = |value: &f64| value.is_finite() || (tag == "range" && !value.is_nan());
+        let bounds = if tag == "range" { [f64::NEG_INFINITY, f64::INFINITY].as_slice() } else { &[] };
+        let is_fine = |(at, value): (usize, &f64)| value.is_finite() || bounds.get(at) == Some(value);
         let listed = || format!("is {}", in_words(&read));
-        return (!read.iter().all(is_fine)).then(|| (&NOT_FINITE, listed()));
+        return (!read.iter().enumerate().all(is_fine)).then(|| (&NOT_FINITE, listed()));
     }
     let inherited = || document.inherited_element(object, tag).filter(|&inherited| inherited != element);
     // Of other lists with another count OpenSim refuses the model.

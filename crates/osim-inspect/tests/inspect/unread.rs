@@ -398,6 +398,18 @@ fn numbers_of_functions_and_names_in_joints_are_guarded() {
     }
 }
 
+/// OpenSim 4.6 refuses a coordinate whose least value is infinite, or whose largest one is minus infinity.
+#[test]
+fn a_range_may_be_without_bounds() {
+    for (range, is_fine) in [("-inf inf", true), ("-1 inf", true), ("inf 1", false), ("-1 -inf", false)] {
+        let coordinate = format!("<Coordinate name=\"flexion\"><range>{range}</range></Coordinate>");
+        let joint = format!("<coordinates>{coordinate}</coordinates></PinJoint>");
+        let model = Model::parse(TWO_FEET.replacen("</PinJoint>", &joint, 1)).unwrap();
+        let mut found = model_findings(&model).iter().filter(|one| one.code() == FindingCode::NotFinite);
+        assert_eq!(found.next().is_none(), is_fine, "{range}");
+    }
+}
+
 /// OpenSim 4.6 refuses a function of a controller that it cannot read, and a stop of a joint with a transition of 0.
 #[test]
 fn numbers_of_controllers_and_of_stops_of_joints_are_guarded() {
