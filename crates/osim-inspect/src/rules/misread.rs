@@ -169,8 +169,13 @@ fn written_properties(class: &str) -> &'static [WrittenProperties] {
             ),
         ],
         "BushingForce" => OLD_BUSHING_TEXTS,
-        // OpenSim refuses one without a transition.
-        "CoordinateLimitForce" => &[(&["transition"], Numbers(1), Some("0.1"))],
+        // OpenSim refuses one with an infinite limit or without a transition.
+        "CoordinateLimitForce" => &[
+            (&["upper_stiffness", "lower_stiffness"], Numbers(1), Some("1")),
+            (&["upper_limit", "lower_limit"], Numbers(1), Some("0")),
+            (&["damping"], Numbers(1), Some("0.001")),
+            (&["transition"], Numbers(1), Some("0.1")),
+        ],
         _ if class.ends_with("Frame") => FRAME_TEXTS,
         _ if class.ends_with("Joint") => JOINT_TEXTS,
         _ if class.ends_with("Constraint") => CONSTRAINT_TEXTS,
