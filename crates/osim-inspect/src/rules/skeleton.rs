@@ -186,6 +186,9 @@ impl<'m> LimbsFromFeet<'m> {
     /// which differ in some models.
     fn difference_m(&self, body: &'m str, other: &'m str) -> Option<f64> {
         let [one, two] = [self.place_m(body)?, self.place_m(other)?];
+        let [own_m, others_m] =
+            [body, other].map(|body| self.above.get(body).map(|joint| joint.in_child.translation_m.length()));
+        let on_bodies_m = (own_m? - others_m?).abs();
         let [parent, of_other] = [self.parent(body)?, self.parent(other)?];
         let centre_m =
             |body: &str| self.model.body_shapes().get(body).map_or(DVec3::ZERO, |shape| shape.centre_m);
@@ -194,10 +197,11 @@ impl<'m> LimbsFromFeet<'m> {
             let places = [DVec3::ZERO, centre_m(parent)].into_iter();
             let planes = places.flat_map(|at| DVec3::AXES.map(|axis| (at, axis)));
             let image = |(at, axis): (DVec3, DVec3)| one - 2.0 * (one - at).dot(axis) * axis;
-            return planes.map(|plane| image(plane).distance(two)).reduce(f64::min);
+            let apart_m = planes.map(|plane| image(plane).distance(two)).reduce(f64::min);
+            return apart_m.map(|apart_m| apart_m.max(on_bodies_m));
         }
         let [(one_m, trunk), (two_m, of_other_trunk)] = [self.length_m(body)?, self.length_m(other)?];
-        let mut apart_m = (one_m - two_m).abs();
+        let mut apart_m = (one_m - two_m).abs().max(on_bodies_m);
         if without_side(parent) == without_side(of_other) {
             let [one_m, two_m] = [one.distance(centre_m(parent)), two.distance(centre_m(of_other))];
             apart_m = apart_m.max((one_m - two_m).abs());

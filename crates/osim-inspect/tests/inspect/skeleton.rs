@@ -75,3 +75,12 @@ fn a_joint_whose_place_cannot_be_read_has_one_finding() {
         "{found:?}"
     );
 }
+
+#[test]
+fn a_bone_that_is_far_from_its_own_joint_is_unlike_its_counterpart() {
+    let frame = "<PhysicalOffsetFrame name=\"calcn_l_offset\">";
+    let far = "<PhysicalOffsetFrame name=\"far\"><socket_parent>/bodyset/toes_l</socket_parent><translation>0 0.4 0</translation></PhysicalOffsetFrame>";
+    let text = HUMAN.replacen(">/bodyset/toes_l</socket_child_frame>", ">far</socket_child_frame>", 1);
+    let text = text.replacen(frame, &format!("{far}{frame}"), 1);
+    assert!(findings_of_text(&text).iter().any(|one| one.code() == FindingCode::LeftRightBones));
+}
