@@ -331,7 +331,7 @@ fn misread_text(
             return Some((&ODD_NUMBER, text));
         }
         // A coordinate may be without bounds.
-        let bounds = if tag == "range" { [f64::NEG_INFINITY, f64::INFINITY].as_slice() } else { &[] };
+        let bounds: &[f64] = if tag == "range" { &[f64::NEG_INFINITY, f64::INFINITY] } else { &[] };
         let is_fine = |(at, value): (usize, &f64)| value.is_finite() || bounds.get(at) == Some(value);
         let listed = || format!("is {}", in_words(&read));
         return (!read.iter().enumerate().all(is_fine)).then(|| (&NOT_FINITE, listed()));

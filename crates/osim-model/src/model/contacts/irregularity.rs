@@ -138,8 +138,7 @@ impl ContactReader<'_> {
         (written, seen): (&Connectee, &Connectee),
         is_exact: bool,
     ) -> bool {
-        let found = self.components.frame_of(id, seen);
-        match &found {
+        match self.components.frame_of(id, seen) {
             Some(found) if found.by_name || !is_exact => {
                 self.record_component_taken_by_name(id, written, found.component);
             }
