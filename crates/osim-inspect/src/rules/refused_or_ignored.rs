@@ -358,9 +358,17 @@ pub(super) fn known_children(document: &Document, id: ElementId) -> Option<&'sta
         Class::ContactHalfSpace,
     ];
     Some(match tree.name(id) {
-        "Model" => {
-            &["ForceSet", "ContactGeometrySet", "BodySet", "JointSet", "ConstraintSet", "Ground", "ground"]
-        }
+        "Model" => &[
+            "ForceSet",
+            "ContactGeometrySet",
+            "BodySet",
+            "JointSet",
+            "ConstraintSet",
+            "ComponentSet",
+            "Ground",
+            "ground",
+            "components",
+        ],
         "ForceSet" | "ContactGeometrySet" | "BodySet" | "JointSet" | "ConstraintSet" => &["objects"],
         "groups" => &["ObjectGroup"],
         tag if SET_TAGS.contains(&tag) => &["objects"],

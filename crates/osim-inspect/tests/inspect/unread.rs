@@ -143,10 +143,16 @@ fn each_kind_is_reported_once_at_its_place() {
         (
             force,
             &format!(
-                "<BushingForce name=\"b\"><frames><PhysicalOffsetFrame name=\"f\"><socket_parent>pelvis</socket_parent></PhysicalOffsetFrame></frames></BushingForce>{force}"
+                "<BushingForce name=\"b\"><socket_frame1>f</socket_frame1><socket_frame2>/ground</socket_frame2><frames><PhysicalOffsetFrame name=\"f\"><socket_parent>pelvis</socket_parent></PhysicalOffsetFrame></frames></BushingForce>{force}"
             ),
             FindingCode::ConnecteeByName,
             Some("/forceset/b/f"),
+        ),
+        (
+            force,
+            &format!("<BushingForce name=\"b\"><socket_frame2>/ground</socket_frame2></BushingForce>{force}"),
+            FindingCode::SocketNowhere,
+            Some("/forceset/b"),
         ),
         (
             force,
@@ -186,6 +192,7 @@ fn each_kind_is_reported_once_at_its_place() {
             FindingCode::UnknownName,
             Some("/"),
         ),
+        (set, &format!("<Components/>{set}"), FindingCode::UnknownName, Some("/")),
         (
             force,
             &format!(
@@ -279,7 +286,7 @@ fn what_opensim_reads_is_not_reported() {
         (
             force,
             &format!(
-                "<BushingForce name=\"b\"><socket_frame1>f</socket_frame1><frames><PhysicalOffsetFrame name=\"f\"><socket_parent>/bodyset/pelvis</socket_parent></PhysicalOffsetFrame></frames></BushingForce>{force}"
+                "<BushingForce name=\"b\"><socket_frame1>f</socket_frame1><socket_frame2>/ground</socket_frame2><frames><PhysicalOffsetFrame name=\"f\"><socket_parent>/bodyset/pelvis</socket_parent></PhysicalOffsetFrame></frames></BushingForce>{force}"
             ),
         ),
         ("<ContactSphere name=\"heel_r\">", "<!-- <ContactSpere/> --><ContactSphere name=\"heel_r\">"),

@@ -32,21 +32,25 @@ fn seen_from_whole<'t>(tree: &Tree, object: ElementId, whole: ElementId, text: &
     })
 }
 
-fn is_joint_or_frame(tag: &str) -> bool {
-    tag == "PhysicalOffsetFrame" || tag.ends_with("Joint")
+/// The sockets of frames that each object of the class `tag` needs, with their names in documents that name bodies; none of a class that is
+/// not known.
+fn needed_sockets(tag: &str) -> &'static [(&'static str, &'static [&'static str])] {
+    match tag {
+        "PhysicalOffsetFrame" => &[("parent", &[])],
+        _ if tag == "WeldConstraint" || tag.ends_with("BushingForce") => &[("frame1", &[]), ("frame2", &[])],
+        _ if tag.ends_with("Joint") => {
+            &[("parent_frame", &["parent_body"]), ("child_frame", &["child_body"])]
+        }
+        _ => &[],
+    }
 }
 
 impl ContactReader<'_> {
-    /// Records the sockets of joints and of their frames that lead nowhere. OpenSim refuses such a model.
-    pub(super) fn record_sockets_of_joints(&mut self) {
+    /// Records the needed sockets, such as those of joints and of their frames, that lead nowhere. OpenSim refuses such a model.
+    pub(super) fn record_needed_sockets(&mut self) {
         for (id, _) in self.components.tree.iter() {
-            let tag = self.components.tag(id);
-            let sockets: &[(&'static str, &[&str])] = match tag {
-                _ if !is_joint_or_frame(tag) => continue,
-                "PhysicalOffsetFrame" => &[("parent", &[])],
-                _ => &[("parent_frame", &["parent_body"]), ("child_frame", &["child_body"])],
-            };
-            if self.components.tag(self.components.tree.root_of(id)) != "Model" {
+            let sockets = needed_sockets(self.components.tag(id));
+            if sockets.is_empty() || self.components.tag(self.components.tree.root_of(id)) != "Model" {
                 continue;
             }
             for &(socket, legacy) in sockets {
@@ -55,7 +59,7 @@ impl ContactReader<'_> {
         }
     }
 
-    /// Records the sockets of all other objects, such as path points, markers and constraints, that lead to no frame.
+    /// Records the sockets of all other objects, such as path points and markers, that lead to no frame.
     pub(super) fn record_other_sockets(&mut self) {
         let (components, document) = (self.components, self.components.main());
         let (tree, is_model) = (document.tree(), document.is_model());
@@ -79,9 +83,9 @@ impl ContactReader<'_> {
             let is_relative =
                 !text.starts_with('/') && (text.is_empty() || text.contains('/') || text.starts_with('.'));
             let is_elsewhere = is_relative && tag != "Marker" && !tag.ends_with("PathPoint");
-            // Joints and their frames have been looked at; of geometry in frames OpenSim ignores the socket; where other objects inside
-            // components look from is not known.
-            if is_joint_or_frame(tag) || (!is_component && (is_elsewhere || components.is_frame(id))) {
+            // Of geometry in frames OpenSim ignores the socket; where other objects inside components look from is not known.
+            let is_unknown = !is_component && (is_elsewhere || components.is_frame(id));
+            if !needed_sockets(tag).is_empty() || is_unknown {
                 continue;
             }
             let seen = seen_from_whole(tree, object, components.element(id), &text);

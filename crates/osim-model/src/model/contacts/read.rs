@@ -56,7 +56,7 @@ impl<'r> ContactReader<'r> {
     /// Reads all spheres, then all forces, each in file order.
     pub(crate) fn read(&mut self) -> Result<()> {
         self.components.refuse_broken_texts()?;
-        self.record_sockets_of_joints();
+        self.record_needed_sockets();
         for (id, _) in self.components.tree.iter() {
             match self.components.tag(id) {
                 "ContactSphere" => self.add_sphere(id, SphereSpelling::ContactSphere)?,
