@@ -158,8 +158,8 @@ impl Radii {
     pub(crate) fn ratio_spread(&self, force: &Force, old_radius: impl Fn(SphereId) -> f64) -> f64 {
         let ratios: Vec<f64> = force
             .spheres()
-            .into_iter()
-            .filter_map(|sphere| Some(self.0.get(&sphere)?.new / old_radius(sphere)))
+            .iter()
+            .filter_map(|sphere| Some(self.0.get(sphere)?.new / old_radius(*sphere)))
             .collect();
         let most = ratios.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         let least = ratios.iter().copied().fold(f64::INFINITY, f64::min);
@@ -251,7 +251,7 @@ impl<'m> ForcesOutsideChange<'m> {
         let mut forces: HashMap<SphereId, Vec<&str>> = HashMap::new();
         for force in model.forces() {
             if force.applies && !chosen.contains(&force.id) {
-                for sphere in force.spheres() {
+                for &sphere in force.spheres() {
                     forces.entry(sphere).or_default().push(&force.name);
                 }
             }

@@ -85,7 +85,7 @@ pub(crate) fn noted_sizes(model: &Model, followed: Option<&BTreeSet<SphereId>>) 
     let mut sizes = model.body_sizes();
     // Of each body, how many spheres followed it, and how many it has.
     let mut counts: HashMap<&str, (usize, usize)> = HashMap::new();
-    let spheres: BTreeSet<SphereId> = model.forces().iter().flat_map(Force::spheres).collect();
+    let spheres: BTreeSet<SphereId> = model.forces().iter().flat_map(Force::spheres).copied().collect();
     for id in spheres {
         let Some(body) = model.sphere(id).and_then(|sphere| sphere.body.as_deref()) else { continue };
         let (some, all) = counts.entry(body).or_default();

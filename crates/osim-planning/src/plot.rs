@@ -252,7 +252,7 @@ fn spheres_and_forces(model: &Model, selection: &Selection) -> Result<(Vec<Spher
     }
     let forces = selection.apply(model)?.forces;
     let used = forces.iter().filter_map(|&id| model.force(id)).flat_map(osim_model::Force::spheres);
-    let mut spheres: Vec<SphereId> = used.filter(moving).collect();
+    let mut spheres: Vec<SphereId> = used.copied().filter(moving).collect();
     spheres.sort_unstable();
     spheres.dedup();
     Ok((spheres, forces))

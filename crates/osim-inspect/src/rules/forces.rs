@@ -45,8 +45,7 @@ rule! { pub(super) SEVERAL_SPHERES_ONE_FORCE: SeveralSpheres, Remark, Solver;
 pub(super) fn find_several_spheres_one_force(model: &Model) -> Vec<Finding> {
     let mut found = Vec::new();
     for force in model.forces() {
-        let moving =
-            force.spheres().into_iter().filter(|&s| model.sphere(s).is_some_and(|s| !s.fixed)).count();
+        let moving = force.spheres().iter().filter(|&&s| model.sphere(s).is_some_and(|s| !s.fixed)).count();
         if matches!(force.kind, ForceKind::HuntCrossley) && moving > 1 {
             let text = format!("{} holds {moving} spheres: Simbody can drop the force of some", force.path);
             found.push(Finding::at(&SEVERAL_SPHERES_ONE_FORCE, force.position, text).with_place(&force.path));
@@ -137,7 +136,7 @@ fn describe_apart(model: &Model, force: &Force) -> Option<String> {
     }
     // Surfaces of one body never meet, and all bodies that are welded to ground are ground.
     let body = |sphere: &Sphere| sphere.body.clone().filter(|_| !sphere.fixed);
-    let spheres: Vec<&Sphere> = force.spheres().into_iter().filter_map(|id| model.sphere(id)).collect();
+    let spheres: Vec<&Sphere> = force.spheres().iter().filter_map(|&id| model.sphere(id)).collect();
     if !spheres.is_empty() && spheres.iter().all(|sphere| sphere.fixed) {
         // Terrain has a finding of its own.
         return None;
@@ -163,7 +162,7 @@ rule! { pub(super) SPHERE_OF_OTHER_SIDE: SphereOfOtherSide, Warning, Sides;
 /// The message about a force of one side that presses spheres of both sides; `None` if it does not.
 fn describe_other_side(model: &Model, force: &Force) -> Option<String> {
     let side = Side::of_name(force.name.trim_end_matches(|letter: char| letter.is_ascii_digit()))?;
-    let spheres = force.spheres().into_iter().filter_map(|id| model.sphere(id));
+    let spheres = force.spheres().iter().filter_map(|&id| model.sphere(id));
     let sides = spheres.filter_map(|sphere| Some((sphere, Side::of_name(sphere.body.as_deref()?)?)));
     // A sphere with a name of the force's side is itself on the wrong body, which is another finding.
     let is_other =
@@ -240,7 +239,7 @@ pub(super) fn find_moco_dialect(model: &Model) -> Vec<Finding> {
 
 /// Whether a force has its sphere inside its own element, as in Moco 0.1 to 0.3.
 fn keeps_sphere_inside(model: &Model, force: &Force) -> bool {
-    force.spheres().into_iter().any(|id| model.sphere(id).is_some_and(Sphere::is_inside_force))
+    force.spheres().iter().any(|&id| model.sphere(id).is_some_and(Sphere::is_inside_force))
 }
 
 /// A remedy that converts the forces which `finding` is about into a form that today's OpenSim reads. It converts all forces if all have
@@ -327,7 +326,7 @@ fn terrain_bodies(model: &Model) -> Option<Finding> {
 
 /// The finding about spheres of terrain, which do not move.
 fn terrain_spheres(model: &Model) -> Option<Finding> {
-    let mut used: Vec<_> = model.forces().iter().flat_map(Force::spheres).collect();
+    let mut used: Vec<_> = model.forces().iter().flat_map(Force::spheres).copied().collect();
     used.sort_unstable();
     used.dedup();
     // Spheres of feet have a finding of their own.

@@ -166,7 +166,7 @@ fn can_be_set(values: &[(Property, f64)]) -> bool {
 }
 
 fn radii_of_force(model: &Model, force: &Force) -> Vec<f64> {
-    let spheres = force.spheres().into_iter().filter_map(|id| model.sphere(id));
+    let spheres = force.spheres().iter().filter_map(|&id| model.sphere(id));
     spheres.map(|sphere| sphere.radius.number).collect()
 }
 

@@ -250,7 +250,7 @@ pub(super) fn foot_spheres_on_ground(model: &Model) -> Vec<&Sphere> {
         let forces = model.forces().iter();
         let forces =
             forces.filter(move |force| !needs_floor || force.sets.iter().any(|set| set.half_spaces > 0));
-        let used: BTreeSet<SphereId> = forces.flat_map(Force::spheres).collect();
+        let used: BTreeSet<SphereId> = forces.flat_map(Force::spheres).copied().collect();
         used.into_iter().filter_map(|id| model.sphere(id))
     };
     let fixed: Vec<&Sphere> = spheres(true).filter(|sphere| sphere.fixed).collect();

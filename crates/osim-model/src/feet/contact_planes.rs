@@ -61,8 +61,7 @@ impl ContactPlane {
         let welds = WeldedGroups::of(model.joints());
         let mut planes_with_spheres = PlanesWithSpheres::default();
         for force in forces.iter().filter_map(|&id| model.force(id)).filter(|force| force.applies) {
-            let spheres: Vec<&Sphere> =
-                force.spheres().into_iter().filter_map(|id| model.sphere(id)).collect();
+            let spheres: Vec<&Sphere> = force.spheres().iter().filter_map(|&id| model.sphere(id)).collect();
             for plane in model.planes_of(force) {
                 let is_welded_to_plane = |body: &str| welds.are_welded(Some(body), plane.body.as_deref());
                 let presses = |sphere: &&&Sphere| {
@@ -148,7 +147,7 @@ pub struct PairsOfForce {
 impl PairsOfForce {
     /// The pairs of `force` at the default `pose`, the first `listed` of them listed. A force with one sphere has no pairs.
     pub fn find(model: &Model, pose: &DefaultPose, force: &Force, listed: usize) -> Self {
-        let spheres: Vec<&Sphere> = force.spheres().into_iter().filter_map(|id| model.sphere(id)).collect();
+        let spheres: Vec<&Sphere> = force.spheres().iter().filter_map(|&id| model.sphere(id)).collect();
         let mut on_body: HashMap<Option<&str>, usize> = HashMap::default();
         let count = spheres.iter().enumerate().map(|(before, sphere)| {
             let same = on_body.entry(sphere.body.as_deref()).or_default();

@@ -62,7 +62,7 @@ impl Selection {
         let explicit = !self.select.is_empty();
         let moves = |id| model.sphere(id).is_some_and(|sphere| !sphere.fixed);
         let candidates = match explicit {
-            true => force_ids_where(model, |force| force.spheres().into_iter().any(moves)),
+            true => force_ids_where(model, |force| force.spheres().iter().copied().any(moves)),
             false => force_ids_where(model, |force| model.meets_half_space(force)),
         };
         let selected = self.apply_among(model, &candidates)?;
@@ -170,7 +170,7 @@ fn refuse_several_trees(model: &Model, forces: &[ForceId]) -> Result<()> {
     let mut trees: Vec<(String, Vec<ForceId>)> = Vec::new();
     let mut by_name: HashMap<Cow<'_, str>, usize> = HashMap::new();
     for force in forces.iter().filter_map(|&id| model.force(id)) {
-        for sphere in force.spheres().into_iter().filter_map(|sphere| model.sphere(sphere)) {
+        for sphere in force.spheres().iter().filter_map(|&sphere| model.sphere(sphere)) {
             let Carrier::Body(body) = sphere.base else { continue };
             if sphere.fixed {
                 continue;

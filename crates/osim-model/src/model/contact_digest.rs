@@ -58,7 +58,7 @@ impl Model {
             let value = &force.transition_velocity;
             let key = ValueKey::new(force.file, force.element, value.property);
             feed(0, value.property, changed(key).unwrap_or(value.number));
-            for sphere in force.spheres().into_iter().filter_map(|sphere| self.sphere(sphere)) {
+            for sphere in force.spheres().iter().filter_map(|&sphere| self.sphere(sphere)) {
                 let key = ValueKey::new(sphere.file, sphere.element, Property::Radius);
                 feed(0, Property::Radius, changed(key).unwrap_or(sphere.radius.number));
             }
@@ -96,7 +96,7 @@ impl Model {
     }
 
     fn spheres_of_forces(&self) -> impl Iterator<Item = &Sphere> {
-        self.forces().iter().flat_map(Force::spheres).filter_map(|sphere| self.sphere(sphere))
+        self.forces().iter().flat_map(Force::spheres).filter_map(|&sphere| self.sphere(sphere))
     }
 
     /// Whether all contact values are equal to those that `note` records.
@@ -165,8 +165,8 @@ impl Model {
     /// The digests of single properties and of names for a note. `changed` gives the new value of numbers that a plan changes.
     pub fn noted_parts(&self, changed: impl Fn(ValueKey) -> Option<f64>) -> NotedParts {
         let mut seen: HashSet<SphereId> = HashSet::default();
-        let spheres = self.forces().iter().flat_map(Force::spheres).filter(|&sphere| seen.insert(sphere));
-        let spheres = spheres.filter_map(|sphere| self.sphere(sphere)).map(|sphere| sphere.name.as_str());
+        let spheres = self.forces().iter().flat_map(Force::spheres).filter(|&&sphere| seen.insert(sphere));
+        let spheres = spheres.filter_map(|&sphere| self.sphere(sphere)).map(|sphere| sphere.name.as_str());
         let forces = self.forces().iter().map(|force| force.name.as_str());
         NotedParts {
             spheres: noted_names(spheres.collect()),

@@ -106,7 +106,7 @@ impl Model {
         let requested: HashSet<ForceId> = forces.iter().copied().collect();
         let tops = |id: ForceId| -> HashSet<ComponentId> {
             let spheres = self.force(id).map(Force::spheres).unwrap_or_default();
-            let moving = spheres.into_iter().filter_map(|id| self.sphere(id)).filter(|sphere| !sphere.fixed);
+            let moving = spheres.iter().filter_map(|&id| self.sphere(id)).filter(|sphere| !sphere.fixed);
             let top = |sphere: &Sphere| {
                 if let Carrier::Body(body) = sphere.base { Some(self.skeleton().top(body)) } else { None }
             };

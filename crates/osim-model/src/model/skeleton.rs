@@ -4,7 +4,9 @@ use foldhash::{HashMap, HashMapExt, HashSet, HashSetExt};
 use glam::DVec3;
 
 use crate::model::components::{Carrier, ComponentId, Components};
-use crate::model::{Class, Fault, FileId, Force, MissingFact, Property, Side, Sphere, Value, ValueOrigin};
+use crate::model::{
+    Class, Fault, FileId, Force, MissingFact, Property, Side, Sphere, SphereId, Value, ValueOrigin,
+};
 
 /// A body of the model. Ground is not a body.
 #[derive(Debug, Clone)]
@@ -89,12 +91,14 @@ impl Skeleton {
     /// Leaves the bodies of plates out of the mass of the model. A plate is a joint tree without left and right that carries the floor of
     /// moving spheres, and no such sphere.
     pub(crate) fn exclude_plates(&mut self, components: &Components, forces: &[Force], spheres: &[Sphere]) {
-        let of_force = |force: &Force| force.spheres().into_iter().filter_map(|id| spheres.get(id.index()));
+        let of_id = |id: &SphereId| spheres.get(id.index());
         let top = |base: &Carrier| if let Carrier::Body(body) = base { Some(self.top(*body)) } else { None };
-        let on_floors = forces.iter().filter(|force| of_force(force).any(|sphere| !sphere.fixed));
+        let moves = |force: &&Force| force.spheres().iter().filter_map(of_id).any(|sphere| !sphere.fixed);
+        let on_floors = forces.iter().filter(moves);
         let floors = on_floors.flat_map(Force::half_space_bases);
         let mut plates: HashSet<ComponentId> = floors.filter_map(|base| top(&base)).collect();
-        let moving = forces.iter().flat_map(of_force).filter(|sphere| !sphere.fixed);
+        let all = forces.iter().flat_map(Force::spheres).filter_map(of_id);
+        let moving = all.filter(|sphere| !sphere.fixed);
         moving.filter_map(|sphere| top(&sphere.base)).for_each(|top| {
             plates.remove(&top);
         });

@@ -407,7 +407,7 @@ fn a_separate_set_replaces_the_set_of_the_model() {
             };
             let forces = |model: &Model| -> Vec<_> {
                 let each = model.forces().iter();
-                each.map(|force| (force.path.clone(), force.spheres(), force.applies)).collect()
+                each.map(|force| (force.path.clone(), force.spheres().to_vec(), force.applies)).collect()
             };
             assert_eq!(spheres(&read), spheres(&alone), "{file}, {times} times");
             assert_eq!(forces(&read), forces(&alone), "{file}, {times} times");

@@ -230,7 +230,7 @@ fn dropped_smoothing(model: &Model, force: &Force, pairs: &[SpherePlanePair]) ->
 
 /// Whether `force` contains its sphere as an element, as in Moco 0.1 to 0.3.
 pub(crate) fn keeps_sphere_inside(model: &Model, force: &Force) -> bool {
-    force.spheres().into_iter().filter_map(|id| model.sphere(id)).any(Sphere::is_inside_force)
+    force.spheres().iter().filter_map(|&id| model.sphere(id)).any(Sphere::is_inside_force)
 }
 
 /// The edit that replaces `force` by one force for each pair, and the new objects.

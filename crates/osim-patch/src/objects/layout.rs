@@ -285,7 +285,7 @@ fn refuse_repeated_pair(model: &Model, force: &Force) -> Result<()> {
     }
     planes.sort_by_key(|(_, times)| std::cmp::Reverse(*times));
     let most = planes.first().map_or(0, |(_, times)| *times);
-    for sphere in force.spheres().into_iter().filter_map(|id| model.sphere(id)) {
+    for sphere in force.spheres().iter().filter_map(|&id| model.sphere(id)) {
         let times = times_of_sphere.get(&sphere.id).copied().unwrap_or_default();
         if sphere.fixed || times * most <= 1 {
             continue;

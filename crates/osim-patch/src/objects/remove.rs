@@ -31,7 +31,7 @@ pub fn remove(model: &Model, selected: &Selected, others: &[ComponentId]) -> Res
     refuse_partial_model(model)?;
     let going: HashSet<ForceId> = selected.forces.iter().copied().collect();
     let staying = || model.forces().iter().filter(|force| !going.contains(&force.id));
-    let used: HashSet<SphereId> = staying().flat_map(Force::spheres).collect();
+    let used: HashSet<SphereId> = staying().flat_map(Force::spheres).copied().collect();
     let mut elements: Vec<ElementId> = Vec::new();
     let mut objects: Vec<ObjectChange> = Vec::new();
     let removed =

@@ -2,8 +2,6 @@
 
 use std::ops::Range;
 
-use foldhash::{HashSet, HashSetExt};
-
 use crate::messages::named;
 use crate::model::components::{Carrier, ComponentId};
 use crate::model::fault::{Fault, FileId, Result};
@@ -195,6 +193,7 @@ pub struct Force {
     pub applies: bool,
     /// Parameter sets: one for a `SmoothSphereHalfSpaceForce`, one per `ContactParameters` for a `HuntCrossleyForce`.
     pub sets: Vec<ParameterSet>,
+    pub(super) spheres: Vec<SphereId>,
     /// The `transition_velocity` of the force itself, not of a parameter set.
     pub transition_velocity: Value,
     /// Line of the force's element, from 1.
@@ -236,28 +235,14 @@ impl ParameterSet {
     }
 }
 
-/// Up to this number of spheres, duplicates are found by comparing all pairs.
-const MOST_SPHERES_COMPARED: usize = 16;
-
 impl Force {
     pub const fn element(&self) -> ElementId {
         self.element
     }
 
     /// All spheres of the force, each once, in file order.
-    pub fn spheres(&self) -> Vec<SphereId> {
-        let all = || self.sets.iter().flat_map(|set| &set.spheres).copied();
-        if all().take(MOST_SPHERES_COMPARED + 1).count() > MOST_SPHERES_COMPARED {
-            let mut seen = HashSet::new();
-            return all().filter(|&sphere| seen.insert(sphere)).collect();
-        }
-        let mut spheres = Vec::with_capacity(all().count());
-        for sphere in all() {
-            if !spheres.contains(&sphere) {
-                spheres.push(sphere);
-            }
-        }
-        spheres
+    pub fn spheres(&self) -> &[SphereId] {
+        &self.spheres
     }
 
     /// The parameter set `set`; `None` if the handle belongs to another force.

@@ -190,7 +190,7 @@ pub fn root_mean_square(radii: impl Iterator<Item = f64> + Clone) -> f64 {
 /// change.
 pub fn moving_spheres(model: &Model, forces: &[ForceId]) -> Vec<SphereId> {
     let mut spheres: Vec<SphereId> =
-        forces.iter().filter_map(|&id| model.force(id)).flat_map(Force::spheres).collect();
+        forces.iter().filter_map(|&id| model.force(id)).flat_map(Force::spheres).copied().collect();
     spheres.sort_unstable();
     spheres.dedup();
     spheres.retain(|&index| model.sphere(index).is_some_and(|sphere| !sphere.fixed));
@@ -205,7 +205,7 @@ impl Model {
         if force.sets.iter().any(|set| set.half_spaces > 0 || !set.other_surfaces.is_empty()) {
             return pairs;
         }
-        let spheres: Vec<&Sphere> = force.spheres().into_iter().filter_map(|id| self.sphere(id)).collect();
+        let spheres: Vec<&Sphere> = force.spheres().iter().filter_map(|&id| self.sphere(id)).collect();
         for (index, &one) in spheres.iter().enumerate() {
             let is_other = |other: &&Sphere| {
                 (one.base != other.base || one.base == Carrier::Unknown) && !(one.fixed && other.fixed)

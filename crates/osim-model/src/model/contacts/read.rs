@@ -358,12 +358,14 @@ impl<'r> ContactReader<'r> {
         transition_velocity: Value,
     ) -> Result<()> {
         let applies = self.applies(id).map_err(|fault| self.with_place(id, fault))?;
+        let (all, mut seen) = (sets.iter().flat_map(|set| &set.spheres).copied(), HashSet::new());
         self.forces.push(Force {
             id: ForceId(self.forces.len()),
             name: self.components.name(id).into_owned(),
             path: self.components.tree.path(id),
             kind,
             applies,
+            spheres: all.filter(|&sphere| seen.insert(sphere)).collect(),
             sets,
             transition_velocity,
             position: self.components.position_of(id),

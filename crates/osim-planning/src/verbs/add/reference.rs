@@ -397,7 +397,7 @@ pub(super) fn with_contacts(
 ) -> Result<(RebuiltModel, Selected), Fault> {
     let bodies: HashSet<&str> = layout.contacts.iter().map(|contact| contact.body.as_str()).collect();
     let is_there = |force: &Force| {
-        let mut spheres = force.spheres().into_iter().filter_map(|id| base.sphere(id)?.body.as_deref());
+        let mut spheres = force.spheres().iter().filter_map(|&id| base.sphere(id)?.body.as_deref());
         base.meets_half_space(force) && spheres.any(|body| bodies.contains(body))
     };
     let doubled = Selected::matching(base, is_there);

@@ -392,7 +392,7 @@ fn with_second_floor(m: &Published, location: &str, orientation: &str) -> Edited
 fn with_forces_off(m: &Published, of: impl Fn(&str) -> bool) -> Edited {
     let tree = m.model.document().tree();
     let chosen = m.model.forces().iter().filter(|force| {
-        let mut spheres = force.spheres().into_iter().filter_map(|id| m.model.sphere(id));
+        let mut spheres = force.spheres().iter().filter_map(|&id| m.model.sphere(id));
         spheres.any(|sphere| of(&sphere.name))
     });
     let mut text = m.text.clone();

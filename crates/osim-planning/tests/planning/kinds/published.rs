@@ -131,7 +131,7 @@ impl Published {
     pub fn without_forces(&self, of: impl Fn(&str) -> bool) -> Edited {
         let tree = self.model.document().tree();
         let chosen = self.model.forces().iter().filter(|force| {
-            let spheres = force.spheres().into_iter().filter_map(|id| self.model.sphere(id));
+            let spheres = force.spheres().iter().filter_map(|&id| self.model.sphere(id));
             of(&force.name) || spheres.clone().count() > 0 && spheres.clone().all(|sphere| of(&sphere.name))
         });
         let spans: Vec<_> = chosen.map(|force| tree.span(force.element())).collect();

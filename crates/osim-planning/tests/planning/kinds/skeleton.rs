@@ -85,7 +85,7 @@ pub fn one_legged(m: &Published) -> Edited {
     let tree = m.model.document().tree();
     // Some forces have names without a side.
     let of_left = m.model.forces().iter().filter(|force| {
-        let mut spheres = force.spheres().into_iter().filter_map(|id| m.model.sphere(id));
+        let mut spheres = force.spheres().iter().filter_map(|&id| m.model.sphere(id));
         spheres.any(|sphere| is_left(&sphere.name))
     });
     let forces: Vec<ElementId> = of_left.map(osim_model::Force::element).collect();
