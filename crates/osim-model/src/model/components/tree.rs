@@ -312,12 +312,10 @@ impl ComponentTree {
 
     /// The component that is written as `element` of `file`.
     pub(crate) fn component_at(&self, file: FileId, element: ElementId) -> Option<ComponentId> {
-        // Components of one file are in element order.
-        let start = self.list.partition_point(|object| object.file < file);
-        let end = self.list.partition_point(|object| object.file <= file);
-        let of_file = self.list.get(start..end)?;
-        let at = of_file.binary_search_by_key(&element, |object| object.element).ok()?;
-        u32::try_from(start + at).ok().map(ComponentId)
+        // Files are in the order of their numbers, and components of one file in that of their elements.
+        let place = |object: &Component| (object.file, object.element);
+        let at = self.list.binary_search_by_key(&(file, element), place).ok()?;
+        u32::try_from(at).ok().map(ComponentId)
     }
 
     /// The absolute path of a component, as OpenSim prints it.
