@@ -156,11 +156,8 @@ impl Radii {
 
     /// The largest ratio of new to old radius among the spheres of a force, divided by the smallest.
     pub(crate) fn ratio_spread(&self, force: &Force, old_radius: impl Fn(SphereId) -> f64) -> f64 {
-        let ratios: Vec<f64> = force
-            .spheres()
-            .iter()
-            .filter_map(|sphere| Some(self.0.get(sphere)?.new / old_radius(*sphere)))
-            .collect();
+        let ratio = |sphere: &SphereId| Some(self.0.get(sphere)?.new / old_radius(*sphere));
+        let ratios: Vec<f64> = force.spheres().iter().filter_map(ratio).collect();
         let most = ratios.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         let least = ratios.iter().copied().fold(f64::INFINITY, f64::min);
         if ratios.is_empty() { 1.0 } else { most / least }

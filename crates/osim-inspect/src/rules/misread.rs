@@ -396,13 +396,9 @@ impl TextForm {
     fn has_decimals_alone(self, text: &str) -> bool {
         let is_decimal = |word: &str| {
             let digits = word.strip_prefix('-').unwrap_or(word).as_bytes();
-            let mut points = 0;
-            let is_plain = |&letter: &u8| {
-                points += usize::from(letter == b'.');
-                letter.is_ascii_digit() || letter == b'.'
-            };
-            let are_plain = digits.iter().all(is_plain);
-            are_plain && points < digits.len().min(2) && digits.len() <= MOST_LETTERS_OF_FINITE
+            let points = digits.iter().filter(|&&letter| letter == b'.').count();
+            let others = digits.iter().any(|letter| !letter.is_ascii_digit() && *letter != b'.');
+            !others && points < digits.len().min(2) && digits.len() <= MOST_LETTERS_OF_FINITE
         };
         let mut words = 0;
         let mut are_decimal = || opensim_text::list_words(text).inspect(|_| words += 1).all(is_decimal);

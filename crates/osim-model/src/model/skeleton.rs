@@ -91,14 +91,12 @@ impl Skeleton {
     /// Leaves the bodies of plates out of the mass of the model. A plate is a joint tree without left and right that carries the floor of
     /// moving spheres, and no such sphere.
     pub(crate) fn exclude_plates(&mut self, components: &Components, forces: &[Force], spheres: &[Sphere]) {
-        let of_id = |id: &SphereId| spheres.get(id.index());
+        let moving = |id: &SphereId| spheres.get(id.index()).filter(|sphere| !sphere.fixed);
         let top = |base: &Carrier| if let Carrier::Body(body) = base { Some(self.top(*body)) } else { None };
-        let moves = |force: &&Force| force.spheres().iter().filter_map(of_id).any(|sphere| !sphere.fixed);
-        let on_floors = forces.iter().filter(moves);
+        let on_floors = forces.iter().filter(|force| force.spheres().iter().any(|id| moving(id).is_some()));
         let floors = on_floors.flat_map(Force::half_space_bases);
         let mut plates: HashSet<ComponentId> = floors.filter_map(|base| top(&base)).collect();
-        let all = forces.iter().flat_map(Force::spheres).filter_map(of_id);
-        let moving = all.filter(|sphere| !sphere.fixed);
+        let moving = forces.iter().flat_map(Force::spheres).filter_map(moving);
         moving.filter_map(|sphere| top(&sphere.base)).for_each(|top| {
             plates.remove(&top);
         });

@@ -226,9 +226,6 @@ impl Components {
     pub(crate) fn frame_of(&self, owner: ComponentId, connectee: &Connectee) -> Option<ConnectedFrame> {
         let text = connectee.text.as_str();
         let exact = self.tree.at_path(owner, text).filter(|&id| self.is_frame(id));
-        if exact.is_some() && !connectee.legacy {
-            return Some(ConnectedFrame { component: exact, by_name: false });
-        }
         if exact.is_none() && (text == "ground" || text.ends_with("/ground")) {
             // Ground is at the top of every model, whether the file spells it out or not.
             let exact = match connectee.legacy {
@@ -239,8 +236,9 @@ impl Components {
         }
         // Documents that name bodies mean those of the BodySet.
         let body = || self.tree.at_path(owner, &format!("/bodyset/{text}")).filter(|&id| self.is_frame(id));
-        if let Some(component) = connectee.legacy.then(body).flatten() {
-            return Some(ConnectedFrame { component: Some(component), by_name: false });
+        let component = if connectee.legacy { body() } else { exact };
+        if component.is_some() {
+            return Some(ConnectedFrame { component, by_name: false });
         }
         let (component, by_name) = self.resolve(owner, text, |id| self.is_frame(id))?;
         // An element that names a body takes no path.
