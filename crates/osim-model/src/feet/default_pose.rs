@@ -42,6 +42,27 @@ struct Placements {
     doubt: Option<PoseFault>,
 }
 
+/// The pose with all coordinates at 0, and the name of the heaviest body.
+struct AtZero {
+    pose: DefaultPose,
+    heaviest: Option<String>,
+}
+
+impl AtZero {
+    /// Computed once for each model.
+    fn of(model: &Model) -> &Self {
+        model.derived_from_bodies(|model| {
+            let names = model.joints().iter().flat_map(|joint| &joint.coordinates);
+            let values = names.map(|coordinate| (coordinate.name.clone(), 0.0)).collect();
+            let masses = model.bodies().iter().filter_map(|body| Some((body.mass_kg().ok()?, &body.name)));
+            Self {
+                pose: DefaultPose(Arc::new(Placements::at(model, &CoordinateValues { values, doubt: None }))),
+                heaviest: masses.max_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, name)| name.clone()),
+            }
+        })
+    }
+}
+
 impl DefaultPose {
     /// The default pose of `model`, which is computed once for each model.
     pub fn of(model: &Model) -> Self {
@@ -49,25 +70,16 @@ impl DefaultPose {
         Self(Arc::clone(model.derived_from_bodies(place)))
     }
 
-    /// The pose with all coordinates at 0, which is computed once for each model.
+    /// The pose with all coordinates at 0.
     pub(super) fn at_zero(model: &Model) -> &Self {
-        /// The pose at 0, as a type of its own.
-        struct AtZero(DefaultPose);
-        let AtZero(at_zero) = model.derived_from_bodies(|model| {
-            let names = model.joints().iter().flat_map(|joint| &joint.coordinates);
-            let values = names.map(|coordinate| (coordinate.name.clone(), 0.0)).collect();
-            AtZero(Self(Arc::new(Placements::at(model, &CoordinateValues { values, doubt: None }))))
-        });
-        at_zero
+        &AtZero::of(model).pose
     }
 
     /// The pose with all coordinates at 0, if the heaviest body is turned against it by more than 45 degrees under `up`: at the default
     /// pose the model lies.
     pub(super) fn before_lying<'m>(&self, model: &'m Model, up: DVec3) -> Option<&'m Self> {
-        let at_zero = Self::at_zero(model);
-        let masses = model.bodies().iter().filter_map(|body| Some((body.mass_kg().ok()?, &body.name)));
-        let (_, heaviest) = masses.max_by(|a, b| a.0.total_cmp(&b.0))?;
-        let up_in_heaviest = |pose: &Self| pose.direction_in(heaviest, up).ok();
+        let AtZero { pose: at_zero, heaviest } = AtZero::of(model);
+        let up_in_heaviest = |pose: &Self| pose.direction_in(heaviest.as_ref()?, up).ok();
         let turned_rad = angle_between(up_in_heaviest(self)?, up_in_heaviest(at_zero)?);
         (turned_rad > FRAC_PI_4).then_some(at_zero)
     }
