@@ -235,7 +235,12 @@ fn find_beyond(
 
 /// What brings spheres that sink in by `x` of their radius to the limit of Hertz' law, each change alone; `None` within the limit.
 pub fn ways_within_hertz(x: f64) -> Option<String> {
-    let [radius, stiffness] = growth_to_indentation_limit(x)?.map(four_significant);
+    // Rounded down, a factor would leave the spheres beyond the limit.
+    let up = |factor: f64| {
+        let unit = 10_f64.powf(factor.log10().floor() - 3.0);
+        four_significant((factor / unit - 1e-9).ceil() * unit)
+    };
+    let [radius, stiffness] = growth_to_indentation_limit(x)?.map(up);
     let limit = INDENTATION.value;
     Some(format!(
         "one of these alone gives {limit} R: radius x{radius}, stiffness x{stiffness}, or {stiffness} times as many spheres"

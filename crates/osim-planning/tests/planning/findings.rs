@@ -143,12 +143,12 @@ fn each_finding_has_the_value_of_its_figure_and_the_limit() {
         (
             FindingCode::BeyondHertz,
             SmoothContact { stiffness: stiffness_for(0.25, WEIGHT_N), ..SOLE },
-            "under body weight on one limb spheres sink in 0.25 R, and Hertz theory holds up to 0.16 R (heel_r); one of these alone gives 0.16 R: radius x1.398, stiffness x1.953, or 1.953 times as many spheres",
+            "under body weight on one limb spheres sink in 0.25 R, and Hertz theory holds up to 0.16 R (heel_r); one of these alone gives 0.16 R: radius x1.398, stiffness x1.954, or 1.954 times as many spheres",
         ),
         (
             FindingCode::BeyondHertzAtTwo,
             SmoothContact { stiffness: stiffness_for(0.2, 2.0 * WEIGHT_N), ..SOLE },
-            "under two body weights on one limb spheres sink in 0.2 R, and Hertz theory holds up to 0.16 R (heel_r); one of these alone gives 0.16 R: radius x1.182, stiffness x1.398, or 1.398 times as many spheres",
+            "under two body weights on one limb spheres sink in 0.2 R, and Hertz theory holds up to 0.16 R (heel_r); one of these alone gives 0.16 R: radius x1.183, stiffness x1.398, or 1.398 times as many spheres",
         ),
         (
             FindingCode::SunkIn,
