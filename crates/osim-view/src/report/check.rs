@@ -417,7 +417,9 @@ impl LibraryTable {
         let mut table = table(&["models", "finding", "", "worst"]);
         for ((Reverse(severity), code), found) in &self.codes {
             let (_, size, model) = &found.worst;
-            let model = model.strip_prefix(folder).unwrap_or(model).trim_start_matches(['/', '\\']);
+            let below = model.strip_prefix(folder.trim_end_matches(['/', '\\'])).unwrap_or_default();
+            let is_below = !folder.is_empty() && below.starts_with(['/', '\\']);
+            let model = if is_below { below.trim_start_matches(['/', '\\']) } else { model };
             let worst = if size.is_empty() { model.to_owned() } else { format!("{size}, {model}") };
             table.add_row([&found.models.to_string(), severity.as_str(), code.as_str(), &worst]);
         }

@@ -156,6 +156,14 @@ fn a_library_of_models_is_shown_as_one_table() {
     }
     library.add_failed("broken.osim", "malformed-xml");
     insta::assert_snapshot!("library", library.text(&CommandLine, Layout::default()));
+    // A name is shortened by the folder itself, not by the beginning of another folder's name.
+    for (folder, shown) in [("check/", " floats.osim"), ("che", " check/floats.osim")] {
+        let models = vec![folder.into()];
+        let mut library = check::LibraryTable::new(CheckRequest { models, ..CheckRequest::default() });
+        library.add(&inspected(&InspectOptions::default(), &open("check/floats.osim"), &CommandLine).1);
+        let text = library.text(&CommandLine, Layout::default());
+        assert!(text.contains(shown), "{text}");
+    }
 }
 
 #[test]
