@@ -183,9 +183,22 @@ fn outputs_that_cannot_be_written_are_refused() {
     assert_refused(dir.run("model.osim --target-mass 5 -o ./model.osim --force"), "output_is_input_forced")
         .usage_error();
     assert_refused(dir.run("model.osim --target-mass 5 -o taken.osim"), "output_exists").failed();
-    assert_refused(dir.run("model.osim --target-mass 5 -d taken.osim"), "output_folder_is_file").failed();
+    assert_refused(dir.run("model.osim --target-mass 5 -d taken.osim"), "output_folder_is_file").usage_error();
     dir.write("model.scaled.osim", "precious");
     assert_refused(dir.run("model.osim --target-mass 5"), "default_output_exists").failed();
+    // One line for all models, also about a folder that would be below a file.
+    dir.write("other.osim", dir.text("model.osim"));
+    dir.write("rows.csv", "model,target-mass\nmodel.osim,5\nother.osim,5\n");
+    for call in [
+        "model.osim other.osim --target-mass 5 -d taken.osim/new",
+        "model.osim --target-mass 5 -o taken.osim/new.osim",
+        "check model.osim other.osim --fix -d taken.osim",
+        "batch rows.csv -d taken.osim",
+        "plot force model.osim -o taken.osim/f.svg",
+    ] {
+        let run = dir.run(call).usage_error().wrote_nothing();
+        assert_eq!(run.err(), "error: taken.osim is a file, expected a folder: choose another name\n");
+    }
     assert_eq!(dir.read("taken.osim"), b"precious");
 }
 

@@ -62,6 +62,7 @@ pub(crate) fn similar_file(path: &Path) -> Option<PathBuf> {
 /// Refuses the file `path`, which the user named, if its folder is not there and none of the `results` is written into it.
 pub fn require_folder_of<'p>(path: &Path, results: impl IntoIterator<Item = &'p Path>) -> Result<()> {
     let folder = folder_of(path);
+    refuse_file_as_folder(folder)?;
     // A folder that cannot be looked at is left to the system's own message.
     let is_missing = folder.try_exists().is_ok_and(|there| !there);
     let is_of_results = || results.into_iter().any(|result| resolved(result).starts_with(resolved(folder)));
@@ -74,16 +75,21 @@ pub fn require_folder_of<'p>(path: &Path, results: impl IntoIterator<Item = &'p 
     Ok(())
 }
 
+/// Refuses a folder that is a file, or that would be below one.
+pub(crate) fn refuse_file_as_folder(folder: &Path) -> Result<()> {
+    let Some(file) = folder.ancestors().find(|path| path.is_file()) else { return Ok(()) };
+    let shown = file.display();
+    Err(LibraryFault::new(format!("{shown} is a file, expected a folder: choose another name")))
+}
+
 /// Makes the folder of `path` and the folders above it.
 pub fn make_folder_of(path: &Path) -> Result<()> {
-    let shown = folder_of(path).display();
-    if folder_of(path).is_dir() {
+    let folder = folder_of(path);
+    if folder.is_dir() {
         return Ok(());
     }
-    if folder_of(path).is_file() {
-        return Err(LibraryFault::new(format!("{shown} is a file, expected a folder: choose another name")));
-    }
-    let cannot = || format!("cannot make the folder {shown}");
+    refuse_file_as_folder(folder)?;
+    let cannot = || format!("cannot make the folder {}", folder.display());
     match resolved(path).parent() {
         Some(folder) => std::fs::create_dir_all(folder).context(cannot),
         None => Ok(()),

@@ -14,6 +14,7 @@ use osim_view::report::check::{self, LibraryTable};
 use osim_view::report::extent::Layout;
 use osim_view::report::inspection::{self, ModelsTable};
 
+use crate::paths::refuse_file_as_folder;
 use crate::report_page::{ReportPage, Words};
 use crate::run::{ModelToFix, NOTHING_WRITTEN, PathConflicts, ResultDestination};
 use crate::source::MemoryFirst;
@@ -86,6 +87,7 @@ impl Survey<'_> {
                 Input::Output, Input::OutputDir.with_placeholder("DIR")
             ]));
         }
+        output.output_dir.as_deref().map_or(Ok(()), refuse_file_as_folder)?;
         let results = models.iter().filter(|_| call.fix && !output.force);
         let existing = results.filter_map(|source| match ResultDestination::of_source(source, &output) {
             ResultDestination::File(path) if path.exists() => Some(path),

@@ -11,6 +11,7 @@ use osim_planning::{BeforeAfter, PreparedChange};
 use osim_requests::options::{OutputOptions, RunFormat, RunOptions};
 use osim_requests::spell::Speller;
 
+use crate::paths::refuse_file_as_folder;
 use crate::run::task::{JobSettings, PathConflicts, PathOwner, Task};
 use crate::run::{Record, ResultBytes, WrittenOutput};
 use crate::{LibraryFault, ModelSource, Result, Sources, folder_of, require_folder_of};
@@ -148,7 +149,9 @@ fn check_options(
     let is_file = |path: &&Path| path.as_os_str() != "-";
     let ends_folder = |path: &Path| path.to_string_lossy().ends_with(std::path::is_separator);
     let folder = |path| if ends_folder(path) { path } else { folder_of(path) };
-    if let Some(folder) = output.output.as_deref().filter(is_file).map(folder)
+    let folder = output.output.as_deref().filter(is_file).map(folder);
+    folder.into_iter().chain(output.output_dir.as_deref()).try_for_each(refuse_file_as_folder)?;
+    if let Some(folder) = folder
         && !folder.is_dir()
     {
         return refused(phrase![

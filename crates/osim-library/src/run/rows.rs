@@ -12,6 +12,7 @@ use osim_planning::{RowFault, RowRequest, Table};
 use osim_requests::BatchRequest;
 use osim_requests::options::OutputOptions;
 
+use crate::paths::refuse_file_as_folder;
 use crate::run::request::RunRequest;
 use crate::run::summary_lines::summary_columns;
 use crate::run::task::{JobSettings, ResultDestination, Task};
@@ -42,6 +43,7 @@ impl<'r> RowReader<'r> {
                 Input::Output, Input::OutputDir.with_placeholder("DIR")
             ]));
         }
+        request.output.output_dir.as_deref().map_or(Ok(()), refuse_file_as_folder)?;
         Ok(Self { request })
     }
 
