@@ -129,6 +129,7 @@ fn a_verb_after_its_model_and_an_option_of_another_verb_get_a_suggestion() {
         ("human.osim --target-mass 80 --overwrite", "did you mean --force?"),
         ("check human.osim --json", "did you mean --format json?"),
         ("check human.osim --generic human.osim", "did you mean --from?"),
+        ("convert human.osim --to HuntCrossleyForce", "did you mean 'hunt-crossley'?"),
         ("completions tcsh", "[possible values: bash, elvish, fish, powershell, zsh]"),
         ("human.osim --from g.osim", "'--from' found: it is an option of transfer, add, inspect, check"),
         ("motion human.osim --target-mass 80", "it is an option of rescale, inspect, plot"),

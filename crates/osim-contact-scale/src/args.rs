@@ -263,7 +263,7 @@ pub(crate) fn usage_line(error: &clap::Error) -> String {
     // clap finds `zsh` near to `tcsh`.
     let value = context(ContextKind::InvalidValue).unwrap_or_default();
     let is_near = |near: &String| {
-        near.starts_with(&value.to_lowercase()) || !nearest_names(&value, [near.as_str()], 2).is_empty()
+        begins_alike(near, &value) || !nearest_names(&value, [near.as_str()], 2).is_empty()
     };
     if let (ErrorKind::InvalidValue, Some(value), Some(option), Some(near)) = (
         error.kind(),
@@ -483,12 +483,14 @@ fn similar_verb(word: &Path) -> Option<String> {
     let rescale = Verb::Rescale.name();
     let names = || std::iter::once(rescale).chain(verb_names().filter(|name| *name != rescale));
     let word = word.to_str()?;
-    let flat = |text: &str| text.to_lowercase().replace(['-', '_'], "");
-    let is_part = |name: &&str| {
-        let (name, word) = (flat(name), flat(word));
-        word.len() >= 4 && (name.starts_with(&word) || word.starts_with(&name))
-    };
+    let is_part = |name: &&str| word.len() >= 4 && begins_alike(name, word);
     nearest_names(word, names(), 2).first().copied().or_else(|| names().find(is_part)).map(str::to_owned)
+}
+
+/// Whether one of two words begins with the other, in capital or small letters and with or without hyphens.
+fn begins_alike(one: &str, other: &str) -> bool {
+    let [one, other] = [one, other].map(|text| text.to_lowercase().replace(['-', '_'], ""));
+    one.starts_with(&other) || other.starts_with(&one)
 }
 
 #[cfg(test)]
