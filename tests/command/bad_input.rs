@@ -183,7 +183,8 @@ fn outputs_that_cannot_be_written_are_refused() {
     assert_refused(dir.run("model.osim --target-mass 5 -o ./model.osim --force"), "output_is_input_forced")
         .usage_error();
     assert_refused(dir.run("model.osim --target-mass 5 -o taken.osim"), "output_exists").failed();
-    assert_refused(dir.run("model.osim --target-mass 5 -d taken.osim"), "output_folder_is_file").usage_error();
+    assert_refused(dir.run("model.osim --target-mass 5 -d taken.osim"), "output_folder_is_file")
+        .usage_error();
     dir.write("model.scaled.osim", "precious");
     assert_refused(dir.run("model.osim --target-mass 5"), "default_output_exists").failed();
     // One line for all models, also about a folder that would be below a file.

@@ -116,7 +116,7 @@ fn a_table_that_is_not_a_manifest_is_refused_with_a_correction() {
         ("name,target-mass\nhuman.osim,5\n", "call the column with the names of the files 'model'"),
         ("model,target-mass\nhuman,5\n", "there is no such file: human: did you mean human.osim?"),
         ("model,Target mass (lb)\nhuman.osim,180\n", "expected kg, not lb"),
-        ("model,Body mass (kg)\nhuman.osim,80\n", "is 'Body mass (kg)' that mass?"),
+        ("model,weight (lb)\nhuman.osim,180\n", "is 'weight (lb)' that mass? Call it target-mass, in kg"),
         ("model,model\nhuman.osim,5\n", "appears twice"),
         ("model,target-mass,dry-run\nhuman.osim,5,yes\n", "after the table's name"),
         ("model,target-mass\nhuman.osim\n", "line 2: 1 cells, expected 2"),
@@ -129,7 +129,8 @@ fn a_table_that_is_not_a_manifest_is_refused_with_a_correction() {
     dir.run("batch nowhere.csv").usage_error().says(&["nowhere.csv: there is no such file"]);
     dir.run("batch m.csv -o x.osim").usage_error().says(&["column 'output'"]);
     std::fs::create_dir(dir.path("lib")).unwrap();
-    dir.run("batch lib").usage_error().says(&["'lib' is a folder, expected a table", "--target-mass alone"]);
+    let folder = dir.run("batch lib").usage_error();
+    folder.says(&["'lib' is a folder, expected a table", "did you mean 'rescale lib --target-mass KG'?"]);
 }
 
 #[test]

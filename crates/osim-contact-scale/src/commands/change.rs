@@ -419,8 +419,10 @@ pub(crate) fn run_batch(request: &BatchRequest, session: &mut Session) -> Result
     let Some(manifest) = &request.manifest else { bail!("no manifest given") };
     let shown = manifest.display().to_string();
     if manifest.is_dir() {
-        let target = session.words.input(Input::TargetMass, None);
-        bail!("'{shown}' is a folder, expected a table (.csv or .xlsx); a folder goes with {target} alone");
+        let mass = Input::TargetMass.with_placeholder("KG");
+        let call: Phrase = phrase!["rescale {} {}"; session.words.word(&shown), mass];
+        let call = call.spelled(session.words);
+        bail!("'{shown}' is a folder, expected a table (.csv or .xlsx): did you mean '{call}'?");
     }
     let reader = RowReader::new(request).map_err(|fault| session.file_error(&fault))?;
     let bytes = Disk.read(manifest).with_context(|| shown.clone())?;

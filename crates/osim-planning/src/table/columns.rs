@@ -207,11 +207,15 @@ fn column(
 /// Refuses a header such as `Target mass (lb)`, with another unit than that of the option `field`.
 fn refuse_other_unit(cell: &str, field: &str) -> Result<(), Phrase> {
     let Some((_, unit)) = cell.split_once(['(', '[']) else { return Ok(()) };
-    let unit = unit.trim_end_matches([')', ']', ' ']).trim_ascii();
+    let unit = unit.split([')', ']']).next().unwrap_or_default().trim_ascii();
+    // `in kg` is kg.
+    let word = unit.split_ascii_whitespace().last().unwrap_or_default().to_ascii_lowercase();
     let is_mass = option_named(Verb::Rescale, field).is_some_and(|option| option.value_name == "KG");
-    let is_in = |units: &[&str]| units.iter().any(|one| unit.eq_ignore_ascii_case(one));
     let expected = if is_mass { "kg" } else { "m" };
-    let is_right = if is_mass { is_in(&["kg"]) } else { !is_in(&["mm", "cm", "in", "inch"]) };
+    let is_right = match is_mass {
+        true => matches!(word.as_str(), "kg" | "kgs" | "kilogram" | "kilograms"),
+        false => !matches!(word.as_str(), "mm" | "cm" | "in" | "inch" | "inches"),
+    };
     if is_right {
         return Ok(());
     }
@@ -315,11 +319,12 @@ mod tests {
 
     #[test]
     fn a_column_in_another_unit_is_refused() {
-        for header in ["Target mass (lb)", "mass [g]", "Contacts mass (stone)", "mass (N)", "Radius (mm)"] {
+        for header in ["mass (lb)", "mass [g]", "Contacts mass (stone)", "mass (N)", "radius (in mm)"] {
             let message = columns_of(&["model", header]).unwrap_err().to_string();
             assert!(message.contains("numbers are not converted, expected"), "{header}: {message}");
         }
         assert!(columns_of(&["model", "Target mass (KG)", "radius [m]", "weight (lb)"]).is_ok());
+        assert!(columns_of(&["model", "mass (in kg)", "Contacts mass [kilograms]", "radius (in m)"]).is_ok());
     }
 
     #[test]

@@ -334,8 +334,8 @@ fn verb_of_row(row: &Row, columns: &Columns) -> Result<Verb, RowFault> {
     let message = || {
         let is_mass = |name: &String| ["mass", "weight"].iter().any(|one| name.to_lowercase().contains(one));
         let mass = columns.unmarked_user_columns().into_iter().find(is_mass);
-        let hint =
-            mass.map(|name| format!("; is '{name}' that mass? Call it target-mass")).unwrap_or_default();
+        let hint = mass.map(|name| format!("; is '{name}' that mass? Call it target-mass, in kg"));
+        let hint = hint.unwrap_or_default();
         format!("what to do is missing: fill in a target mass (rescale), from (transfer), set, or verb{hint}")
     };
     shown.map(|(_, verb)| verb).ok_or_else(|| RowFault::general(message()))
