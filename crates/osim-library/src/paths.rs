@@ -1,6 +1,7 @@
 //! Makes absolute and relative paths, also of files and folders that do not exist yet; and makes folders.
 
 use std::collections::HashMap;
+use std::ffi::OsStr;
 use std::path::{Component, Path, PathBuf};
 
 use osim_model::nearest_names;
@@ -55,7 +56,13 @@ pub(crate) fn similar_file(path: &Path) -> Option<PathBuf> {
     let names = files.filter_map(|file| file.file_name().into_string().ok());
     let names: Vec<String> = names.filter(|other| number(other) == number(name)).collect();
     let model = names.iter().find(|other| other.eq_ignore_ascii_case(&format!("{name}.osim")));
-    let near = || nearest_names(name, names.iter().map(String::as_str), 2).first().copied();
+    // The ending makes no names alike.
+    let stem = path.file_stem()?.to_str()?;
+    let is_alike = |other: &&String| {
+        let other = Path::new(other.as_str()).file_stem().and_then(OsStr::to_str).unwrap_or_default();
+        !nearest_names(stem, [other], 2).is_empty()
+    };
+    let near = || nearest_names(name, names.iter().filter(is_alike).map(String::as_str), 2).first().copied();
     Some(path.with_file_name(model.map(String::as_str).or_else(near)?))
 }
 
