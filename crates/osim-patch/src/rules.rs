@@ -190,14 +190,17 @@ pub fn forms_of_dissipation(ratios: &Ratios, from: f64, lengths: Option<f64>) ->
     let [by_radius, by_mass] =
         [ratios.dissipation(), ratios.dissipation_by_mass()].map(|factor| from * factor);
     let of_legs = lengths.and_then(|radius| Ratios::new(RatioValues { radius, ..ratios.values() }).ok());
-    let by_legs = of_legs.map(|legs| four_significant(from * legs.dissipation()));
+    let by_legs = of_legs.map(|legs| {
+        let value = four_significant(from * legs.dissipation());
+        format!("; {value} s/m by length of bones keeps it at speeds in proportion to the root of leg length")
+    });
     are_apart(by_radius / by_mass).then(|| {
         format!(
             "{START_OF_FORMS}{} s/m by radius keeps the restitution after falls of equal height over radius, {} s/m by mass that at speeds \
              in proportion to M^(1/6){}",
             four_significant(by_radius),
             four_significant(by_mass),
-            by_legs.map(|legs| format!(", {legs} s/m by length of bones that at speeds of legs")).unwrap_or_default()
+            by_legs.unwrap_or_default()
         )
     })
 }
