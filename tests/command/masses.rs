@@ -197,8 +197,10 @@ fn a_wrong_original_model_causes_an_error_with_the_reason() {
         let text = run.out().split_whitespace().collect::<Vec<_>>().join(" ");
         assert!(text.contains(expected) && text.contains("1 error"), "{call}: {text}");
     }
-    let itself = dir.run("check scaled.osim --from scaled.osim").usage_error();
-    itself.says(&["scaled.osim is the model itself", "--from"]);
+    for itself in ["scaled.osim", "./scaled.osim"] {
+        let run = dir.run(&format!("check scaled.osim --from {itself}")).usage_error();
+        run.says(&["scaled.osim is the model itself", "--from"]);
+    }
     // The spheres of another body.
     let other = dir.run("transfer scaled.osim --from known.osim --follow-bodies").failed().wrote_nothing();
     other.says(&["was it scaled from another one?"]);

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 use anyhow::{Result, bail};
-use osim_library::{Disk, Sources, Survey, SurveyedModel};
+use osim_library::{Disk, Sources, Survey, SurveyedModel, resolved};
 use osim_model::Severity;
 use osim_model::files::{Failure, FileError};
 use osim_model::messages::{Call, Input, Verb};
@@ -53,7 +53,7 @@ pub(crate) fn inspect(request: &InspectRequest, hint: bool, session: &mut Sessio
 /// Wrong usage.
 pub(crate) fn check(request: &CheckRequest, session: &mut Session) -> Result<Exit> {
     if let ([model], Some(from)) = (request.models.as_slice(), &request.from)
-        && model == from
+        && resolved(model) == resolved(from)
     {
         let from = session.words.input(Input::From, None);
         bail!("{} is the model itself: name the one that it was scaled from with {from}", model.display());
