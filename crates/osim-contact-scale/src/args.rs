@@ -265,12 +265,10 @@ pub(crate) fn usage_line(error: &clap::Error) -> String {
     let is_near = |near: &String| {
         begins_alike(near, &value) || !nearest_names(&value, [near.as_str()], 2).is_empty()
     };
-    if let (ErrorKind::InvalidValue, Some(value), Some(option), Some(near)) = (
-        error.kind(),
-        context(ContextKind::InvalidValue),
-        context(ContextKind::InvalidArg),
-        context(ContextKind::SuggestedValue).filter(is_near),
-    ) {
+    if error.kind() == ErrorKind::InvalidValue
+        && let Some(option) = context(ContextKind::InvalidArg)
+        && let Some(near) = context(ContextKind::SuggestedValue).filter(is_near)
+    {
         // A value without an option is named by what it is alone.
         let name = option.split(' ').next().filter(|name| name.starts_with('-'));
         let option = name.map(|name| format!("{name} ")).unwrap_or_default();

@@ -2,6 +2,7 @@
 
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
+use std::path::Path;
 
 use osim_inspect::{CheckResult, Counts, FindingWithRemedy, Sign};
 use osim_model::messages::{Input, Verb, counted, listed, one_line, shown_whole};
@@ -417,10 +418,8 @@ impl LibraryTable {
         let mut table = table(&["models", "finding", "", "worst"]);
         for ((Reverse(severity), code), found) in &self.codes {
             let (_, size, model) = &found.worst;
-            let below = model.strip_prefix(folder.trim_end_matches(['/', '\\'])).unwrap_or_default();
-            let is_below = !folder.is_empty() && below.starts_with(['/', '\\']);
-            let model = if is_below { below.trim_start_matches(['/', '\\']) } else { model };
-            let worst = if size.is_empty() { model.to_owned() } else { format!("{size}, {model}") };
+            let model = Path::new(model).strip_prefix(folder).unwrap_or(Path::new(model)).display();
+            let worst = if size.is_empty() { model.to_string() } else { format!("{size}, {model}") };
             table.add_row([&found.models.to_string(), severity.as_str(), code.as_str(), &worst]);
         }
         table.right_aligned(&[0]);
