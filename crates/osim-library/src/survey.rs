@@ -57,8 +57,8 @@ impl Survey<'_> {
     /// Begins the report page if the options name one, with entries of models that could not be listed. The page shows `call`.
     ///
     /// # Errors
-    /// The check would write several models to one file, or several results exist already. The name of the page has another ending than
-    /// `.html`, its folder is not there, the file exists already, or this call reads it.
+    /// The check would write several models to one file or into a file, or several results exist already. The name of the page has another
+    /// ending than `.html`, its folder is not there, the file exists already, or this call reads it.
     pub fn begin_page(&self, call: String) -> Result<Option<ReportPage>> {
         self.check.map_or(Ok(()), |call| self.refuse_outputs(call))?;
         let Some(path) = &self.report.report else { return Ok(None) };
@@ -78,7 +78,7 @@ impl Survey<'_> {
         ReportPage::begin(path, self.report.force, head, failures, self.words).map(Some)
     }
 
-    /// Refuses one output for several models, and several results that exist already and may not be replaced.
+    /// Refuses one output for several models, a file as their folder, and several results that exist already and may not be replaced.
     fn refuse_outputs(&self, call: &CheckRequest) -> Result<()> {
         let (models, output) = (&self.sources.models, call.output());
         if models.len() > 1 && output.output.is_some() {

@@ -35,7 +35,7 @@ impl<'r> RowReader<'r> {
     /// A reader with the options of `request`.
     ///
     /// # Errors
-    /// An option of the call makes sense for one model only.
+    /// An option of the call makes sense for one model only, or the folder of the results is a file.
     pub fn new(request: &'r BatchRequest) -> Result<Self> {
         if request.output.output.is_some() || request.output.geometry_output.is_some() {
             return Err(LibraryFault::new(phrase![
