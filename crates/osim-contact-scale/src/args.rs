@@ -262,9 +262,8 @@ pub(crate) fn usage_line(error: &clap::Error) -> String {
     }
     // clap finds `zsh` near to `tcsh`.
     let value = context(ContextKind::InvalidValue).unwrap_or_default();
-    let is_near = |near: &String| {
-        begins_alike(near, &value) || !nearest_names(&value, [near.as_str()], 2).is_empty()
-    };
+    let is_near =
+        |near: &String| begins_alike(near, &value) || !nearest_names(&value, [near.as_str()], 2).is_empty();
     if error.kind() == ErrorKind::InvalidValue
         && let Some(option) = context(ContextKind::InvalidArg)
         && let Some(near) = context(ContextKind::SuggestedValue).filter(is_near)

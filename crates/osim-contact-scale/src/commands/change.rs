@@ -10,7 +10,7 @@ use osim_library::run::{
 };
 use osim_library::{Disk, folder_of};
 use osim_model::files::{Failure, Files};
-use osim_model::messages::{Input, Phrase, listed, one_line, phrase};
+use osim_model::messages::{Input, Phrase, Verb, listed, one_line, phrase};
 use osim_model::{FileId, Severity};
 use osim_planning::{PreparedChange, may_be_file, prepare};
 use osim_requests::options::{InspectionOptions, RunFormat, RunOptions, SheetFormat};
@@ -419,10 +419,9 @@ pub(crate) fn run_batch(request: &BatchRequest, session: &mut Session) -> Result
     let Some(manifest) = &request.manifest else { bail!("no manifest given") };
     let shown = manifest.display().to_string();
     if manifest.is_dir() {
-        let mass = Input::TargetMass.with_placeholder("KG");
-        let call: Phrase = phrase!["rescale {} {}"; session.words.word(&shown), mass];
-        let call = call.spelled(session.words);
-        bail!("'{shown}' is a folder, expected a table (.csv or .xlsx): did you mean '{call}'?");
+        let call = Verb::Rescale.call_with_model().with_placeholder(Input::TargetMass, "KG");
+        let call = session.words.command(&call);
+        bail!("'{shown}' is a folder, expected a table (.csv or .xlsx); its models go with '{call}'");
     }
     let reader = RowReader::new(request).map_err(|fault| session.file_error(&fault))?;
     let bytes = Disk.read(manifest).with_context(|| shown.clone())?;

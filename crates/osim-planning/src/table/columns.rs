@@ -209,7 +209,7 @@ fn refuse_other_unit(cell: &str, field: &str) -> Result<(), Phrase> {
     let Some((_, unit)) = cell.split_once(['(', '[']) else { return Ok(()) };
     let unit = unit.split([')', ']']).next().unwrap_or_default().trim_ascii();
     // `in kg` is kg.
-    let word = unit.split_ascii_whitespace().last().unwrap_or_default().to_ascii_lowercase();
+    let word = unit.split_ascii_whitespace().next_back().unwrap_or_default().to_ascii_lowercase();
     let is_mass = option_named(Verb::Rescale, field).is_some_and(|option| option.value_name == "KG");
     let expected = if is_mass { "kg" } else { "m" };
     let is_right = match is_mass {
