@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use osim_model::Side;
+use osim_model::{DVec3, Side};
 
 use crate::feet::{Foot, LIFT_OFF_BW, TOUCH_DOWN_BW};
 use crate::plate_comparison::percentile;
@@ -247,10 +247,12 @@ fn nearest_foot(
     best.map(|(_, index)| index)
 }
 
-/// Vertical speed of a foot's deepest sphere, m/s, below which the foot stands.
-const FASTEST_STILL_FOOT_M_S: f64 = 0.2;
-/// Plate force, in body weights, above which a frame counts for the usual depth of a standing foot.
-const LOADED_BW: f64 = 0.5;
+/// Speed of a foot's slowest sphere against a foot on the plates, m/s, below which the foot stands.
+const FASTEST_STILL_FOOT_M_S: f64 = 0.4;
+/// Height above that of a foot on the plates, m, below which a foot may stand: motions are wrong by so much.
+const MOST_HEIGHT_OF_STANDING_FOOT_M: f64 = 0.03;
+/// Plate force, in body weights, above which a frame counts for the usual height and speed of a standing foot.
+const LOADED_BW: f64 = 0.2;
 /// Quantile of the depths of a foot in frames with a plate force; a foot at this depth or deeper is as low as on a plate.
 const LEAST_DEPTH_QUANTILE: f64 = 0.05;
 
@@ -259,9 +261,9 @@ const CARRIED_BW: f64 = 0.6;
 /// The shortest time, s, in which a foot stands beside the plates. A swinging foot is low and still for a moment.
 const SHORTEST_STEP_S: f64 = 0.08;
 
-/// For each frame, whether `foot` stands beside the plates: it is as low and as still as it usually is on a plate, but its `plates`
-/// measure no force, in a run of frames of which 80 ms have a `total` of all plates that does not carry the body. All frames of the run
-/// count, while the foot is as low as on a plate.
+/// For each frame, whether `foot` stands beside the plates: its `plates` measure no force, but for 80 ms it is about as low and as still
+/// as on a plate, and the `total` of all plates does not carry the body. All frames around these count while the foot is as low as on a
+/// plate.
 fn frames_beside_plates(
     states: &ContactStates,
     foot: &Foot,
@@ -277,21 +279,26 @@ fn frames_beside_plates(
             Some((plate.as_ref()?.force_n.dot(deepest.normal), deepest))
         })
         .collect();
-    let depth_m = |least_bw: f64, quantile: f64| {
+    let under_load = |least_bw: f64, quantile: f64, of: &dyn Fn(&ContactState) -> f64| {
         let loaded = frames.iter().flatten().filter(|(force_n, _)| *force_n > least_bw * weight_n);
-        percentile(&loaded.map(|(_, state)| state.indentation_m).collect::<Vec<f64>>(), quantile)
+        percentile(&loaded.map(|(_, state)| of(state)).collect::<Vec<f64>>(), quantile)
+            .unwrap_or(f64::INFINITY)
     };
-    let usual_m = depth_m(LOADED_BW, 0.5).unwrap_or(f64::INFINITY);
-    let least_m = depth_m(TOUCH_DOWN_BW, LEAST_DEPTH_QUANTILE).unwrap_or(f64::INFINITY);
+    let usual_m = under_load(LOADED_BW, 0.5, &|state| state.indentation_m);
+    let usual_m_s =
+        DVec3::from([0, 1, 2].map(|axis| under_load(LOADED_BW, 0.5, &|state| state.slip_m_s[axis])));
+    let least_m = under_load(TOUCH_DOWN_BW, LEAST_DEPTH_QUANTILE, &|state| state.indentation_m)
+        .max(usual_m - MOST_HEIGHT_OF_STANDING_FOOT_M);
     let is_low = |one: &Option<(f64, &ContactState)>| {
         one.as_ref().is_some_and(|(force_n, state)| {
             *force_n < LIFT_OFF_BW * weight_n && state.indentation_m >= least_m
         })
     };
-    let stands = |one: &Option<(f64, &ContactState)>| {
-        one.as_ref().is_some_and(|(_, state)| {
-            state.indentation_m >= usual_m && state.rate_m_s.abs() < FASTEST_STILL_FOOT_M_S
-        })
+    let stands = |frame: usize| {
+        let is_still = |state: &ContactState| {
+            (state.slip_m_s - usual_m_s).length().hypot(state.rate_m_s) < FASTEST_STILL_FOOT_M_S
+        };
+        foot.contacts(states, frame).any(is_still)
     };
     let is_carried = |frame: usize| {
         let sum = total[frame].as_ref().zip(foot.deepest_contact(states, frame));
@@ -303,10 +310,9 @@ fn frames_beside_plates(
     let mut is_beside_in = Vec::with_capacity(frames.len());
     for run in frames.chunk_by(|before, after| is_low(before) == is_low(after)) {
         let first = is_beside_in.len();
-        let alone = (first..first + run.len()).filter(|&frame| !is_carried(frame));
-        let is_beside = run.first().is_some_and(is_low)
-            && run.iter().any(stands)
-            && alone.map(duration_s).sum::<f64>() >= SHORTEST_STEP_S;
+        let alone = (first..first + run.len()).filter(|&frame| stands(frame) && !is_carried(frame));
+        let is_beside =
+            run.first().is_some_and(is_low) && alone.map(duration_s).sum::<f64>() >= SHORTEST_STEP_S;
         is_beside_in.extend(std::iter::repeat_n(is_beside, run.len()));
     }
     is_beside_in
