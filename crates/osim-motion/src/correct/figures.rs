@@ -43,6 +43,9 @@ pub struct CorrectionFigures {
     pub lift_rms_m: f64,
     pub lift_p95_m: f64,
     pub largest_relative_indentation: f64,
+    /// How much higher the floor would be under the second of two feet, m, if it had one of its own, and the share of the cost of the
+    /// correction that would remain.
+    pub two_floors: (f64, f64),
 }
 
 /// A sphere with more than this share of body weight counts for the lift.
@@ -55,7 +58,7 @@ impl CorrectionFigures {
         (before, after): (&ContactStates, &ContactStates),
         (feet, measured): (&[Foot], &MeasuredForces),
         (normal, point_m): (DVec3, DVec3),
-        (unknowns, floor_up_m): (&[f64], f64),
+        (unknowns, floor_up_m, two_floors): (&[f64], f64, (f64, f64)),
     ) -> Self {
         let weight_n = setting.weight_n;
         let pairs = &before.pairs;
@@ -133,6 +136,7 @@ impl CorrectionFigures {
             lift_rms_m: (square / lifts.len().max(1) as f64).sqrt(),
             lift_p95_m: percentile(&lifts, 0.95).unwrap_or_default(),
             largest_relative_indentation: deepest,
+            two_floors,
         }
     }
 }

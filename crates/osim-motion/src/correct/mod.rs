@@ -192,19 +192,20 @@ pub fn correct(
         level,
         weight_n,
         options: options.clone(),
-        free: [options.floor_up_m.is_none(), searches_belt, searches_belt],
+        free: [options.floor_up_m.is_none(), searches_belt, searches_belt, feet.len() == 2],
     };
     let search = Search { model, couplers, original, states, feet, belt };
     let mut unknowns = vec![0.0; setting.coefficients() + CONSTANTS];
     let place = setting.coefficients();
-    search.run(&setting, &mut unknowns)?;
+    let two_floors = search.run(&setting, &mut unknowns)?;
     let found_belt = level[0] * unknowns[place + 1] + level[1] * unknowns[place + 2];
     let belt = if searches_belt { Belt::Constant(found_belt) } else { search.belt.clone() };
     let in_place = search.corrected(&setting, &unknowns)?;
     let floor_up_m = options.floor_up_m.unwrap_or(unknowns[place]);
     let along = |recording: &Recording| states.along(model, recording, &belt);
     let (before, after) = (along(&unmoved)?, along(&in_place)?);
-    let (both, floor, found_values) = ((&before, &after), (normal, on_floor_m), (&*unknowns, floor_up_m));
+    let (both, floor) = ((&before, &after), (normal, on_floor_m));
+    let found_values = (&*unknowns, floor_up_m, two_floors);
     let figures = CorrectionFigures::new(&setting, both, (feet, measured), floor, found_values);
     let motions = [(&unmoved, &before), (&in_place, &after)];
     let dynamics =
@@ -236,29 +237,37 @@ struct Search<'s> {
 
 impl Search<'_> {
     /// Searches the correction: reads the contacts along the motion in several passes, and makes the cost small in each, stage after
-    /// stage.
-    fn run(&self, setting: &CorrectionInputs<'_>, unknowns: &mut Vec<f64>) -> Result<(), CorrectionError> {
-        let mut cost = f64::INFINITY;
-        for pass in 0..MOST_PASSES {
+    /// stage. Returns how much higher the floor would be under the second of two feet, m, and the share of the cost that would remain.
+    fn run(
+        &self,
+        setting: &CorrectionInputs<'_>,
+        unknowns: &mut Vec<f64>,
+    ) -> Result<(f64, f64), CorrectionError> {
+        let (mut cost, mut pass) = (f64::INFINITY, 0);
+        loop {
             let moved = self.corrected(setting, unknowns)?;
             let parts = (self.feet, setting.coordinates.as_slice());
             let (model, states) = (self.model, self.states);
             let slopes =
                 FootSlopes::all(model, (&moved, &self.belt), &self.couplers, states, parts, setting.level)?;
             let mut problem = StageProblem::new(setting, slopes, unknowns.clone());
-            if pass >= LEAST_PASSES
-                && (problem.cost(unknowns) - cost).abs() <= LARGEST_COST_CHANGE_AT_END * cost
-            {
-                break;
-            }
-            for stage in if pass == 0 { 0 } else { LAST_STAGE }..=LAST_STAGE {
+            let ends = pass >= LEAST_PASSES
+                && (problem.cost(unknowns) - cost).abs() <= LARGEST_COST_CHANGE_AT_END * cost;
+            let first = [0, LAST_STAGE][usize::from(pass > 0)];
+            for stage in (first..=LAST_STAGE).filter(|_| !ends) {
                 let (soft_m, transition) =
                     (SOFT_DEPTHS_OF_STAGES_M[stage], TRANSITION_FACTORS_OF_STAGES[stage]);
-                problem.stage = Stage { soft_m, transition };
+                problem.stage = Stage { soft_m, transition, has_two_floors: false };
                 cost = minimise(&problem, unknowns, SMALLEST_DECREASES[usize::from(stage == LAST_STAGE)]);
             }
+            pass += 1;
+            if ends || pass == MOST_PASSES {
+                problem.stage.has_two_floors = true;
+                let (mut apart, before) = (unknowns.clone(), problem.cost(unknowns));
+                let after = minimise(&problem, &mut apart, SMALLEST_DECREASES[0]);
+                return Ok((apart[setting.coefficients() + 3], after / before));
+            }
         }
-        Ok(())
     }
 
     /// The motion after corrections; the height of the floor moves the root.

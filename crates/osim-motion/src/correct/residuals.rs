@@ -17,8 +17,8 @@ const USUAL_PRESSURE_ERROR_M: f64 = 0.01;
 const USUAL_ADDED_ACCELERATION_M_S2: f64 = 0.03 * 9.81;
 /// The moves of all spheres of a foot together count as much as those of this many spheres.
 const COUNTED_SPHERES: f64 = 3.0;
-/// Usual sizes of the constants of a correction: the height of the floor (m) and two velocities of the belt (m/s).
-const USUAL_CONSTANTS: [f64; CONSTANTS] = [0.03, 2.0, 2.0];
+/// Usual sizes of the constants of a correction: the height of the floor (m), two velocities of the belt (m/s), and another height.
+const USUAL_CONSTANTS: [f64; CONSTANTS] = [0.03, 2.0, 2.0, 0.03];
 /// The share of the frames in which usual corrections cost as much as one constant of its usual size.
 const SHARE_OF_FRAMES_PER_CONSTANT: f64 = 0.01;
 /// The usual size of a constant that has to stay 0: small, so that a change of it would cost very much.
@@ -95,7 +95,13 @@ impl<'s> StageProblem<'s> {
     /// The problem for the contacts in `slopes`, which were read along the motion after the corrections `read_at`.
     pub(super) fn new(setting: &'s CorrectionInputs<'s>, slopes: Vec<FootSlopes>, read_at: Vec<f64>) -> Self {
         let sizes = correction_sizes(setting, &slopes);
-        Self { setting, slopes, read_at, stage: Stage { soft_m: 0.0, transition: 1.0 }, sizes }
+        Self {
+            setting,
+            slopes,
+            read_at,
+            stage: Stage { soft_m: 0.0, transition: 1.0, has_two_floors: false },
+            sizes,
+        }
     }
 
     /// Calls `take` with the residuals of each foot in each frame; without `slopes`, rows have no derivatives.
@@ -103,12 +109,14 @@ impl<'s> StageProblem<'s> {
         let CorrectionInputs { level, weight_n, ref options, .. } = *self.setting;
         let difference: Vec<f64> = unknowns.iter().zip(&self.read_at).map(|(now, then)| now - then).collect();
         let place = self.setting.coefficients();
-        let constants = [difference[place], unknowns[place + 1], unknowns[place + 2]];
         let unit = 1.0 / (USUAL_FORCE_ERROR_BW * weight_n);
         let mut sum = Row { residual: 0.0, by_coordinate: Vec::new(), by_constant: [0.0; CONSTANTS] };
         for frame in 0..self.setting.basis.first.len() {
             let [values, rates] = [0, 1].map(|order| self.setting.corrections(&difference, frame, order));
-            for (foot, along) in self.setting.feet.iter().zip(&self.slopes) {
+            for (number, (foot, along)) in self.setting.feet.iter().zip(&self.slopes).enumerate() {
+                let own = f64::from(u8::from(self.stage.has_two_floors && number == 1));
+                let floor_m = difference[place] + own * unknowns[place + 3];
+                let constants = [floor_m, unknowns[place + 1], unknowns[place + 2]];
                 let Some(goal) = foot.goals[frame] else { continue };
                 let first = frame * foot.pairs.len();
                 let force = |(number, pair): (usize, &&ContactPair)| {
@@ -137,6 +145,7 @@ impl<'s> StageProblem<'s> {
                         sum.by_constant[0] += by[0];
                         sum.by_constant[1] -= by[2];
                         sum.by_constant[2] -= by[3];
+                        sum.by_constant[3] += own * by[0];
                     }
                     take(frame, along, &sum);
                 };
@@ -268,6 +277,8 @@ pub(super) struct Stage {
     pub(super) soft_m: f64,
     /// The factor of the transition velocity; 0 without friction.
     pub(super) transition: f64,
+    /// Whether the floor of the second foot has a height of its own.
+    pub(super) has_two_floors: bool,
 }
 
 /// The width over which a soft force falls to 0 when a sphere leaves the floor fast, as a share of the force at rest.
@@ -288,7 +299,7 @@ fn normal_force_n(pair: &ContactPair, [x, rate, ..]: SphereState, Stage { soft_m
 
 /// The force on a sphere along the normal, which is known, and along the two level directions, N.
 fn force_n(pair: &ContactPair, normal_n: f64, state: SphereState, stage: Stage) -> [f64; 3] {
-    let ([_, _, slip @ ..], Stage { soft_m, transition }) = (state, stage);
+    let ([_, _, slip @ ..], Stage { soft_m, transition, .. }) = (state, stage);
     if normal_n == 0.0 || transition == 0.0 {
         return [normal_n, 0.0, 0.0];
     }

@@ -2,8 +2,9 @@
 
 use std::ops::Range;
 
-/// The number of constants: the height of the floor, and two components of the belt's velocity.
-pub(super) const CONSTANTS: usize = 3;
+/// The number of constants: the height of the floor, two components of the belt's velocity, and how much higher the floor is under the
+/// second foot.
+pub(super) const CONSTANTS: usize = 4;
 
 /// The normal equations A d = -g. The coefficients of the splines come first, then the constants.
 #[derive(Debug, Clone)]
@@ -129,12 +130,12 @@ mod tests {
     /// Equations of 9 coefficients and all constants, and the same as a dense matrix.
     fn equations() -> (NormalEquations, Vec<Vec<f64>>) {
         let mut equations = NormalEquations::new(9, 1);
-        let mut dense = vec![vec![0.0; 12]; 12];
+        let mut dense = vec![vec![0.0; 13]; 13];
         for number in 0..40_usize {
             let first = number % 6;
             let slope = |place: usize| ((number * 7 + place * 3 + number * place) as f64).sin();
             let all: Vec<(usize, f64)> =
-                (first..first + 4).chain(9..12).map(|place| (place, slope(place))).collect();
+                (first..first + 4).chain(9..13).map(|place| (place, slope(place))).collect();
             equations.add(&all, slope(30));
             for &(i, a) in &all {
                 all.iter().for_each(|&(j, b)| dense[i][j] += a * b);
@@ -158,7 +159,7 @@ mod tests {
     #[test]
     fn the_product_is_that_of_the_dense_matrix() {
         let (equations, dense) = equations();
-        let vector: Vec<f64> = (0..12).map(|place| f64::from(place).cos()).collect();
+        let vector: Vec<f64> = (0..13).map(|place| f64::from(place).cos()).collect();
         for (product, row) in equations.times_vector(&vector).iter().zip(&dense) {
             assert!((product - dot_product(row, &vector)).abs() < 1e-12);
         }

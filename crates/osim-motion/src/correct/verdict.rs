@@ -288,6 +288,8 @@ const MOST_SHARE_OF_NULL: f64 = 0.5;
 const SMALL_VERTICAL_BW: f64 = 0.02;
 /// The largest vertical move of spheres that agrees (of 95 % of them), as a multiple of a usual error of places.
 const MOST_LIFT: f64 = 2.0;
+/// If a floor of its own under one foot leaves less than this share of the cost of the correction, this foot is off.
+const MOST_SHARE_OF_COST: f64 = 0.25;
 /// A foot that the plates carry for a shorter time, s, hardly shows its height.
 const LEAST_STANCE_S: f64 = 0.3;
 /// It shows it only by a lift larger than this multiple of the lift's scatter.
@@ -328,14 +330,18 @@ impl CorrectionFigures {
         mut causes: Vec<Mismatch>,
         options: &CorrectionOptions,
     ) -> (MotionVerdict, Vec<Mismatch>) {
-        let apart_m = self
+        let is_apart = |apart_m: &f64| apart_m.abs() > MOST_DIFFERENCE_OF_FEET * options.length_m;
+        let by_lift = self
             .difference_of_feet_m()
             .filter(|apart_m| self.unexplained_foot().is_none() && self.shows_height(apart_m.abs()))
-            .filter(|apart_m| apart_m.abs() > MOST_DIFFERENCE_OF_FEET * options.length_m);
-        causes.extend(apart_m.map(|apart_m| Mismatch::OneFoot { apart_m }));
-        let agrees = self.unexplained_foot().is_none()
-            && self.largest_of_feet(|foot| foot.after.vertical_bw) <= MOST_VERTICAL_BW
-            && self.lift_p95_m <= MOST_LIFT * options.length_m;
+            .filter(is_apart);
+        let (floor_m, cost_share) = self.two_floors;
+        let is_explained = self.largest_of_feet(|foot| foot.after.vertical_bw) <= MOST_VERTICAL_BW
+            && self.unexplained_foot().is_none();
+        let are_loaded = self.feet.iter().all(|foot| foot.stance_s > 0.0);
+        let by_cost = (is_explained && are_loaded && cost_share < MOST_SHARE_OF_COST).then_some(-floor_m);
+        causes.extend(by_cost.filter(is_apart).or(by_lift).map(|apart_m| Mismatch::OneFoot { apart_m }));
+        let agrees = is_explained && self.lift_p95_m <= MOST_LIFT * options.length_m;
         let verdict = match (causes.is_empty(), agrees) {
             (false, _) => MotionVerdict::Disagree,
             (true, true) => MotionVerdict::Agree,
@@ -424,7 +430,13 @@ mod tests {
             stance_s,
         };
         let feet = vec![foot(0.0), foot(apart_m)];
-        CorrectionFigures { feet, lift_rms_m: 0.005, lift_p95_m: 0.01, largest_relative_indentation: 0.5 }
+        CorrectionFigures {
+            feet,
+            lift_rms_m: 0.005,
+            lift_p95_m: 0.01,
+            largest_relative_indentation: 0.5,
+            two_floors: (0.0, 1.0),
+        }
     }
 
     #[test]
@@ -440,6 +452,15 @@ mod tests {
         assert_eq!(verdict(&figures(0.03, 0.7, 0.018, whole)), MotionVerdict::Disagree);
         assert_eq!(verdict(&figures(0.03, 0.7, 0.018, (0.2, 0.007))), MotionVerdict::Agree);
         assert_eq!(verdict(&figures(0.03, 0.7, 0.03, (0.1, 0.001))), MotionVerdict::Disagree);
+        let with_floors = |two_floors, stance_s| {
+            verdict(&CorrectionFigures { two_floors, ..figures(0.03, 0.7, 0.003, (stance_s, 0.002)) })
+        };
+        assert_eq!(with_floors((-0.03, 0.1), 0.05), MotionVerdict::Disagree);
+        assert_eq!(
+            [((-0.03, 0.3), 0.05), ((-0.03, 0.1), 0.0), ((-0.01, 0.1), 0.05)]
+                .map(|(floors, stance_s)| with_floors(floors, stance_s)),
+            [MotionVerdict::Agree; 3]
+        );
     }
 
     #[test]
