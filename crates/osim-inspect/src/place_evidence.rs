@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
-use osim_model::{Model, ScaledSinceNote, rounding_of_places_m};
+use osim_model::{Model, ScaledSinceNote, SphereId, rounding_of_places_m, without_side};
 use serde::Deserialize;
 use sha2::{Digest, Sha256};
 
@@ -92,9 +92,21 @@ fn bodies_beside_feet(model: &Model, bones: &BodyBones) -> Option<Vec<String>> {
     }
     // A ball has no feet. The talus is above the ground, between shank and calcaneus.
     let is_of_skeleton = |body: &str| bones.joint_above(body).is_some() || bones.has_foot_below(body);
-    let is_beside = |body: &&str| is_of_skeleton(body) && (!bones.is_foot(body) || names("talus")(body));
+    // A shoe has the spheres of its foot. What is named after its body, such as a palm on a hand, is meant to be there.
+    let is_meant = |body: &str| bones.is_worn_by_foot(body) || are_named_after(model, &spheres, body);
+    let is_of_other_bone = |body: &str| !bones.is_foot(body) || names("talus")(&body);
+    let is_beside = |body: &&str| is_of_skeleton(body) && is_of_other_bone(body) && !is_meant(body);
     let beside: Vec<String> = bodies.into_iter().filter(is_beside).map(str::to_owned).collect();
     (!beside.is_empty()).then_some(beside)
+}
+
+/// Whether all of `spheres` that are on `body` have its name, without the side, in their own names.
+fn are_named_after(model: &Model, spheres: &[SphereId], body: &str) -> bool {
+    let part = without_side(body).replace('#', "");
+    let part = part.trim_matches('_');
+    let on_body = spheres.iter().filter_map(|&id| model.sphere(id));
+    let mut on_body = on_body.filter(|sphere| sphere.body.as_deref() == Some(body));
+    !part.is_empty() && on_body.all(|sphere| sphere.name.to_lowercase().contains(part))
 }
 
 /// Whether the factors of meshes are 1, or convert a unit of length, such as 0.001.
@@ -439,6 +451,39 @@ mod tests {
         });
         let model = Model::parse(format!("{with_ball}<ContactGeometrySet{on_ball}")).unwrap();
         assert!(!matches!(PlaceEvidence::of(&model, None), PlaceEvidence::NotOnFeet(_)));
+    }
+
+    #[test]
+    fn spheres_on_shoes_and_spheres_named_after_their_body_are_meant_to_be_there() {
+        let all_on = |part: &str, parent: &str, spheres: &str| {
+            let body = |side| format!(r#"<Body name="{part}_{side}"><mass>0.3</mass></Body>"#);
+            let joint = |side| {
+                let frame = format!("<socket_parent_frame>/bodyset/{parent}</socket_parent_frame>");
+                let frame = frame.replace("SIDE", side);
+                format!(
+                    r#"<WeldJoint name="{part}_{side}">{frame}<socket_child_frame>/bodyset/{part}_{side}</socket_child_frame></WeldJoint>"#
+                )
+            };
+            let (skeleton, places) = FALISSE.split_once("<ContactGeometrySet").unwrap();
+            let feet = ["calcn", "toes"].into_iter().map(|foot| format!("/bodyset/{foot}_"));
+            let places =
+                feet.fold(places.to_owned(), |text, foot| text.replace(&foot, &format!("/bodyset/{part}_")));
+            let text = format!("{skeleton}<ContactGeometrySet{places}")
+                .replace(
+                    r#"<Body name="pelvis">"#,
+                    &format!("{}{}<Body name=\"pelvis\">", body("r"), body("l")),
+                )
+                .replace(
+                    "<PinJoint name=\"leg_r\">",
+                    &format!("{}{}<PinJoint name=\"leg_r\">", joint("r"), joint("l")),
+                )
+                .replace("ContactSphere name=\"s", &format!("ContactSphere name=\"{spheres}"))
+                .replace("/contactgeometryset/s", &format!("/contactgeometryset/{spheres}"));
+            matches!(PlaceEvidence::of(&Model::parse(text).unwrap(), None), PlaceEvidence::NotOnFeet(_))
+        };
+        assert!(!all_on("shoe", "calcn_SIDE", "s"));
+        assert!(!all_on("hand", "pelvis", "hand_"));
+        assert!(all_on("hand", "pelvis", "s"));
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! How far spheres reach along the bones of a foot, and whether that is further than in any published model. These measures are used:
 //!
-//! - towards the next joint: the sphere's centre is projected on the line from its body's origin to the body's farthest next joint, and
-//!   divided by their distance. Published models reach 1.341. A joint that is welded does not end the bone.
+//! - towards the next joint: the sphere's centre is projected on the line from its body's origin, or from the joint above, to the body's
+//!   farthest next joint, and divided by their distance. Published models reach 1.341. A joint that is welded does not end the bone.
 //! - along the foot: where the foremost centre is between the heel (0) and the tip of the toes (1) of OpenSim's standard foot, by the
 //!   extents of the bones' meshes. Published models have 0.691 to 1.007. If the model has no toes, their tip is where toes of the foot's size
 //!   would end, because the foot may carry their spheres.
@@ -14,16 +14,19 @@ use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
 use std::sync::OnceLock;
 
-use foldhash::{HashMap, HashMapExt};
+use foldhash::{HashMap, HashMapExt, HashSet};
 use osim_model::compare::bone_of_mesh;
 use osim_model::messages::four_significant;
-use osim_model::{Anatomy, AnatomyJoint, DVec3, Model, SphereId};
+use osim_model::opensim_text::list_words;
+use osim_model::{Anatomy, AnatomyJoint, ComponentId, Components, DVec3, ElementId, Model, SphereId};
 
 /// A sphere that reaches at most this far towards the next joint is usual.
 const LARGEST_TOWARDS_JOINT: f64 = 1.4;
 /// A sphere that reaches at least this far towards the next joint is usual. The number is negative, because some spheres are nearer to the
-/// heel than the origin of their body.
-const LEAST_TOWARDS_JOINT: f64 = -0.3;
+/// heel than the origin of their body, or than the ankle where no talus is.
+const LEAST_TOWARDS_JOINT: f64 = -0.5;
+/// The middle of the usual reach towards the next joint.
+const MIDDLE_TOWARDS_JOINT: f64 = 0.45;
 /// Usual reach of the foremost sphere along the foot, between heel (0) and tip of the toes (1).
 const USUAL_ALONG_FOOT: RangeInclusive<f64> = 0.65..=1.05;
 /// Usual reach of a foot's bottoms below the ankle, between the ankle (0) and the sole of the bones (1).
@@ -107,7 +110,15 @@ pub(crate) fn reaches(model: &Model, bones: &BodyBones) -> Vec<Reach> {
         let radius_m = sphere.radius.number;
         let next = bones.farthest_joint(body).filter(|(squared, _)| *squared > radius_m * radius_m);
         reaches.extend(next.map(|(squared, joint)| {
-            let value = centre.dot(joint.in_parent_m) / squared;
+            let along = |from_m: DVec3| {
+                let way_m = joint.in_parent_m - from_m;
+                (centre - from_m).dot(way_m) / way_m.length_squared()
+            };
+            let of_origin = centre.dot(joint.in_parent_m) / squared;
+            // The origin of a body can be far from the joint above it, for example at the centre of mass.
+            let of_joint = bones.joint_above(body).map_or(f64::NAN, |above| along(above.in_child_m));
+            let off = |value: f64| (value - MIDDLE_TOWARDS_JOINT).abs();
+            let value = if off(of_joint) < off(of_origin) { of_joint } else { of_origin };
             let most = if joint.is_weld { f64::INFINITY } else { LARGEST_TOWARDS_JOINT };
             reach(id, value, joint.name.clone(), ReachMeasure::TowardsJoint, LEAST_TOWARDS_JOINT..=most)
         }));
@@ -171,6 +182,8 @@ pub(crate) struct BodyBones {
     bodies: HashMap<String, OnceLock<BodyBone>>,
     /// For each body, the next joint that is farthest from the body's origin: the square of the distance, m², and the index of the joint.
     farthest: HashMap<String, (f64, usize)>,
+    /// The bodies on which the mesh of OpenSim's foot is elsewhere than in OpenSim's models.
+    moved: HashSet<String>,
 }
 
 /// The size of the bone of one body, and its part in a foot, from the name, the meshes and the joints of the body.
@@ -216,7 +229,11 @@ impl BodyBones {
             }
         }
         let bodies = anatomy.bodies.iter().map(|body| (body.clone(), OnceLock::new())).collect();
-        Self { anatomy, bodies, farthest }
+        let components = model.components();
+        let all = components.tree.iter().map(|(id, _)| id).filter(|&id| components.tag(id) == "Body");
+        let moved = all.filter(|&id| has_moved_foot(components, id));
+        let moved = moved.map(|id| components.name(id).into_owned()).collect();
+        Self { anatomy, bodies, farthest, moved }
     }
 
     /// The bone of a body, which is computed at the first call.
@@ -225,7 +242,7 @@ impl BodyBones {
         Some(bone.get_or_init(|| BodyBone {
             size: common_factors(&self.anatomy, body),
             is_foot: is_foot(&self.anatomy, body),
-            standard_foot: standard_foot(&self.anatomy, body),
+            standard_foot: standard_foot(&self.anatomy, body).filter(|_| !self.moved.contains(body)),
         }))
     }
 
@@ -284,10 +301,19 @@ impl BodyBones {
 
     /// Whether a foot hangs on `body`, directly or by other bodies.
     pub(crate) fn has_foot_below(&self, body: &str) -> bool {
-        let parent = |body: &&str| self.joint_above(body).map(|joint| joint.parent.as_str());
-        let above = |foot| std::iter::successors(Some(foot), parent).skip(1).take(self.bodies.len());
-        let mut feet = self.bodies.keys().map(String::as_str).filter(|body| self.is_foot(body));
-        feet.any(|foot| above(foot).any(|one| one == body))
+        let mut feet = self.bodies.keys().filter(|body| self.is_foot(body));
+        feet.any(|foot| self.above(foot).any(|one| one == body))
+    }
+
+    /// Whether `body` hangs on a foot, as a shoe does, and no foot hangs on it.
+    pub(crate) fn is_worn_by_foot(&self, body: &str) -> bool {
+        self.above(body).any(|one| self.is_foot(one)) && !self.has_foot_below(body)
+    }
+
+    /// The bodies above `body`, from its parent to the root.
+    fn above<'b>(&'b self, body: &'b str) -> impl Iterator<Item = &'b str> {
+        let parent = move |body: &&str| self.joint_above(body).map(|joint| joint.parent.as_str());
+        std::iter::successors(Some(body), parent).skip(1).take(self.bodies.len())
     }
 
     /// The joint between `body` and its parent.
@@ -334,6 +360,27 @@ fn factors_of_opensim_bone(anatomy: &Anatomy, body: &str, bone: &str) -> Option<
         file.to_lowercase().contains(".vtp") && bone_of_mesh(file) == bone && PLAUSIBLE_FACTORS.contains(x)
     };
     meshes.iter().find(is_standard).map(|(_, factors)| *factors)
+}
+
+/// A mesh is moved if a number of its transform, rad or m, is more than this.
+const LEAST_MOVE_OF_MESH: f64 = 1e-3;
+
+/// Whether the mesh of OpenSim's foot on the body `id` has a transform of its own, as documents before version 4 can have it.
+fn has_moved_foot(components: &Components, id: ComponentId) -> bool {
+    let tree = components.document_of(id).tree();
+    let Some(visible) = tree.child(components.element(id), "VisibleObject") else { return false };
+    let is_moved = |object: ElementId| {
+        let file = tree.child(object, "geometry_file").map(|file| bone_of_mesh(&tree.text_of(file)));
+        let transform = tree.child(object, "transform").filter(|_| file.is_none_or(|bone| bone == "foot"));
+        let far = |word: &str| word.parse::<f64>().is_ok_and(|number| number.abs() > LEAST_MOVE_OF_MESH);
+        transform.is_some_and(|transform| list_words(&tree.text_of(transform)).any(far))
+    };
+    let mut found = false;
+    tree.walk(visible, |object| {
+        found |= is_moved(object);
+        !found
+    });
+    found
 }
 
 /// The ends of OpenSim's standard foot on `body`, if the body has the mesh of its hind part.
@@ -393,6 +440,54 @@ mod tests {
             values(ReachMeasure::FromHeel).fold(f64::NAN, f64::max),
             values(ReachMeasure::BesideFoot).fold(f64::NAN, f64::max),
         ])
+    }
+
+    const FALISSE: &str = include_str!("../../../fixtures/check/known_contacts.osim");
+
+    /// The reach of the heel of the right foot of `text` towards the toes.
+    fn heel_towards_joint(text: &str) -> Reach {
+        let model = Model::parse(text).unwrap();
+        let mut all = reaches(&model, BodyBones::of(&model).unwrap()).into_iter();
+        let is_heel = |id| model.sphere(id).unwrap().name == "s1_r";
+        all.find(|one| one.measure == ReachMeasure::TowardsJoint && is_heel(one.sphere)).unwrap()
+    }
+
+    #[test]
+    fn the_origin_of_a_foot_may_be_elsewhere() {
+        let heel = heel_towards_joint(FALISSE);
+        // The origin is at the centre of mass, 90 mm ahead.
+        let frame = "<frames><PhysicalOffsetFrame name=\"heel\"><socket_parent>/bodyset/calcn_r</socket_parent>\
+             <translation>-0.09 0 0</translation></PhysicalOffsetFrame>";
+        let moved = FALISSE
+            .replace("<socket_child_frame>/bodyset/calcn_r<", "<socket_child_frame>heel<")
+            .replacen("<frames>", frame, 1)
+            .replace("0.16341 -0.00183 0.00099", "0.07341 -0.00183 0.00099")
+            .replace("0.00190115 -0.01 -0.0038263", "-0.08809885 -0.01 -0.0038263");
+        let of_moved = heel_towards_joint(&moved);
+        assert!((of_moved.value - heel.value).abs() < 1e-9 && !of_moved.is_odd(), "{of_moved:?}");
+        // The origin is at the ankle, and the heel is 65 mm behind it: (-0.065 0.125 + 0.045 0.04)/(0.125^2 + 0.04^2).
+        let at_ankle = FALISSE
+            .replace("0.16341 -0.00183 0.00099", "0.125 -0.04 0")
+            .replace("0.00190115 -0.01 -0.0038263", "-0.065 -0.045 0");
+        let at_ankle = heel_towards_joint(&at_ankle);
+        assert!((at_ankle.value + 0.3672).abs() < 5e-5 && !at_ankle.is_odd(), "{at_ankle:?}");
+    }
+
+    #[test]
+    fn a_mesh_with_a_transform_of_its_own_shows_no_ends_of_the_foot() {
+        let has_ends = |transform: &str| {
+            let geometry = format!(
+                "<VisibleObject><GeometrySet><objects><DisplayGeometry><geometry_file>foot.vtp</geometry_file>\
+                 <transform>{transform}</transform></DisplayGeometry></objects></GeometrySet></VisibleObject>"
+            );
+            let text = format!(
+                "<OpenSimDocument Version=\"30000\"><Model name=\"m\"><BodySet><objects><Body name=\"calcn_r\">\
+                 <mass>1</mass>{geometry}</Body></objects></BodySet></Model></OpenSimDocument>"
+            );
+            BodyBones::of(&Model::parse(text).unwrap()).unwrap().standard_foot("calcn_r").is_some()
+        };
+        assert!(has_ends("-0 0 -0 0 0 0"));
+        assert!(!has_ends(" 0 0 0 -0.04877 -0.04195 0"));
     }
 
     /// Expected values were computed with NumPy from OpenSim 4.6's frames and the meshes' extents, with four digits.
