@@ -73,6 +73,9 @@ json_records! {
         /// Angle between the floor's normal and the axis of the sphere's body that is nearest to it, or is up with all coordinates at 0
         /// if the model lies, rad: 0 if the body is upright.
         tilt_rad: f64 = over.tilt_rad,
+        /// The body that the frame belongs to.
+        #[serde(skip)]
+        body: Option<String> = sphere.body.clone(),
         /// The centre of the sphere in ground, m.
         #[serde(skip)]
         centre_m: DVec3 = over.centre_m,

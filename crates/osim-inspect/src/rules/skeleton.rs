@@ -243,6 +243,11 @@ const FOOT_WORDS: [&str; 6] = ["heel", "toe", "foot", "calc", "hallux", "metatar
 const SCENERY_WORDS: [&str; 11] =
     ["plate", "rest", "stool", "step", "form", "mark", "stone", "rock", "boulder", "obstacle", "terrain"];
 
+/// The name of a sphere without its side and its number: the spheres of both feet often have one such name.
+pub(super) fn series_of(name: &str) -> String {
+    without_side(name).replace(|letter: char| letter.is_ascii_digit(), "")
+}
+
 /// Spheres that are on ground or welded to it, belong to a foot, and are in forces with a half-space, in the order of their numbers. Scenery
 /// on which feet stand is in forces of spheres alone.
 pub(super) fn foot_spheres_on_ground(model: &Model) -> Vec<&Sphere> {
@@ -257,13 +262,11 @@ pub(super) fn foot_spheres_on_ground(model: &Model) -> Vec<&Sphere> {
     if fixed.is_empty() {
         return fixed;
     }
-    // The spheres of both feet often have one name, with a side and a number.
-    let series =
-        |sphere: &Sphere| without_side(&sphere.name).replace(|letter: char| letter.is_ascii_digit(), "");
-    let moving: BTreeSet<String> = spheres(false).filter(|sphere| !sphere.fixed).map(series).collect();
+    let moving = spheres(false).filter(|sphere| !sphere.fixed).map(|sphere| series_of(&sphere.name));
+    let moving: BTreeSet<String> = moving.collect();
     let is_of_foot = |sphere: &&Sphere| {
         let has = |words: &[&str]| words.iter().any(|word| sphere.name.to_lowercase().contains(word));
-        let is_named_so = has(&FOOT_WORDS) || moving.is_empty() || moving.contains(&series(sphere));
+        let is_named_so = has(&FOOT_WORDS) || moving.is_empty() || moving.contains(&series_of(&sphere.name));
         is_named_so && !has(&SCENERY_WORDS)
     };
     fixed.into_iter().filter(is_of_foot).collect()

@@ -6,7 +6,9 @@ use osim_model::messages::{readable, shown, three_significant};
 use osim_model::{Example, Finding, Repair, Rule};
 use osim_requests::Request;
 
+use crate::reach::is_named_after_foot;
 use crate::rules::figure_check::FigureCheck;
+use crate::rules::skeleton::series_of;
 use crate::{Bottom, Figure, FindingWithRemedy, LimbFigures, SphereFigures, StandingBody};
 use osim_model::rule;
 
@@ -115,7 +117,18 @@ impl<'i> UnevenLimb<'i> {
     /// The lowest and the highest bottom of `limb`; `None` if its bottoms are not known.
     pub(super) fn of(bottoms: &HashMap<&str, &'i Bottom>, limb: &'i LimbFigures) -> Option<Self> {
         let of_limb = limb.spheres.iter().filter_map(|sphere| bottoms.get(sphere.path.as_str()));
-        let bottoms: Vec<&Bottom> = of_limb.copied().collect();
+        let all: Vec<&Bottom> = of_limb.copied().collect();
+        // Spheres of a knee or a seat are no part of the sole, unless they are named like those of a foot.
+        let is_on_foot = |bottom: &&Bottom| bottom.body.as_deref().is_some_and(is_named_after_foot);
+        let of_feet: Vec<&Bottom> = all.iter().copied().filter(is_on_foot).collect();
+        let is_of_sole = |bottom: &&Bottom| {
+            let series = series_of(&bottom.sphere);
+            let is_named_so = is_named_after_foot(&series) || series.contains("heel");
+            is_named_so
+                || of_feet.iter().any(|one| one.path == bottom.path || series_of(&one.sphere) == series)
+        };
+        let bottoms: Vec<&Bottom> =
+            if of_feet.is_empty() { all } else { all.into_iter().filter(is_of_sole).collect() };
         let lowest = bottoms.iter().copied().reduce(|a, b| if b.height_m < a.height_m { b } else { a })?;
         let highest = bottoms.iter().copied().reduce(|a, b| if b.height_m > a.height_m { b } else { a })?;
         let difference_radii = (highest.height_m - lowest.height_m) / lowest.radius_m;

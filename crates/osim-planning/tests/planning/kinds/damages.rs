@@ -235,6 +235,7 @@ pub const HARMLESS: &[HarmlessEdit] = &[
     ("stiffness 3 % less", |m| m.forces_times("stiffness", 0.97)),
     ("stiffness 20 % more", |m| m.forces_times("stiffness", 1.2)),
     ("hands on the floor", super::skeleton::hands_on_the_floor),
+    ("knees on the floor", super::skeleton::knees_on_the_floor),
     ("dissipation 10 % less", |m| m.forces_times("dissipation", 0.9)),
     ("places with 0.1 mm", |m| m.places(is_any, |place| place.map(|value| (value * 1e4).round() / 1e4))),
     ("gravity as OpenSim has it", |m| m.gravity("0 -9.80665 0")),

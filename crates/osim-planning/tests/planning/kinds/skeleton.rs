@@ -55,15 +55,25 @@ pub fn foot_on_ground(m: &Published) -> Edited {
 
 /// The model whose hands have copies of its heels, and of their forces.
 pub fn hands_on_the_floor(m: &Published) -> Edited {
+    with_heels_on(m, "hand")
+}
+
+/// The model whose knees have copies of its heels, and of their forces. Models without hands have several spheres in one force.
+pub fn knees_on_the_floor(m: &Published) -> Edited {
+    m.body(&["hand"], "x_r").and_then(|_| with_heels_on(m, "tibia"))
+}
+
+/// The model whose bodies named `part` have copies of its heels, and of their forces.
+fn with_heels_on(m: &Published, part: &str) -> Edited {
     let mut copies = Vec::new();
     for heel in m.model.spheres().iter().filter(|sphere| is_heel(&sphere.name)) {
         let body = heel.body.as_deref()?;
-        let hand = m.body(&["hand"], body)?;
+        let other = m.body(&[part], body)?;
         let force = m.model.forces().iter().find(|force| force.spheres().contains(&heel.id))?;
         for element in [heel.element(), force.element()] {
             let span = m.model.document().tree().span(element);
-            let copy = m.text[span.clone()].replace(&force.name, &format!("of_{hand}"));
-            copies.push((span.end, copy.replace(&heel.name, &format!("on_{hand}")).replace(body, &hand)));
+            let copy = m.text[span.clone()].replace(&force.name, &format!("of_{other}"));
+            copies.push((span.end, copy.replace(&heel.name, &format!("on_{other}")).replace(body, &other)));
         }
     }
     copies.sort_by_key(|(end, _)| *end);
