@@ -25,12 +25,16 @@ pub(super) fn find_sunk_in_spheres(check: &FigureCheck<'_>) -> Option<FindingWit
     sunk_in_level(check).or_else(|| sunk_in_at_own_heights(check))
 }
 
-/// Whether the limb of a sphere can carry the body alone. No body stands on a wall, or, if it has feet, on one hand.
+/// Words in the names of hands, and of what they hold.
+const HAND_WORDS: [&str; 4] = ["hand", "crutch", "pole", "stick"];
+
+/// Whether the limb of a sphere can carry the body alone. No body stands on a wall, or, if it has feet, on one hand or crutch.
 fn can_carry(check: &FigureCheck<'_>) -> impl Fn(&SphereFigures) -> bool {
     let on_floors = bottoms_by_path(check);
     let carriers = check.inspected.spheres.iter().filter_map(|one| Some((&one.path, one.body.as_deref()?)));
     let has_feet = carriers.clone().any(|(_, body)| is_named_after_foot(body));
-    let on_hands = carriers.filter(|(_, body)| has_feet && body.to_lowercase().contains("hand"));
+    let is_of_hand = |body: &str| HAND_WORDS.iter().any(|word| body.to_lowercase().contains(word));
+    let on_hands = carriers.filter(|(_, body)| has_feet && is_of_hand(body));
     let on_hands: Vec<&String> = on_hands.map(|(path, _)| path).collect();
     move |sphere| {
         let is_on_floor = on_floors.is_empty() || on_floors.contains_key(sphere.path.as_str());

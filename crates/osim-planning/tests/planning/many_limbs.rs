@@ -124,9 +124,12 @@ fn hands_that_press_on_a_wall_carry_no_body() {
         format!("{before}<{set} name{}", rest.replacen("<objects>", &format!("<objects>{objects}"), 1))
     };
     let floor = "0 0 -1.5707963267948966";
-    for (turned, limb, is_error) in
-        [("0 0 0", "hand_", false), (floor, "hand_", false), (floor, "forepaw_", true)]
-    {
+    for (turned, limb, is_error) in [
+        ("0 0 0", "hand_", false),
+        (floor, "hand_", false),
+        (floor, "crutch_", false),
+        (floor, "forepaw_", true),
+    ] {
         let surface = format!(
             "<ContactHalfSpace name=\"surface\"><socket_frame>/ground</socket_frame><location>0.5 0 0</location>\
              <orientation>{turned}</orientation></ContactHalfSpace>"
