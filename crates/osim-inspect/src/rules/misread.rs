@@ -198,6 +198,9 @@ const PARTS_OF_AXIS: &[&str] = &[
     "SimmSpline",
 ];
 
+/// The last version whose axes have one `<coordinate>` instead of `<coordinates>`.
+const LAST_VERSION_WITH_ONE_COORDINATE: u32 = 10900;
+
 /// What is in an element `tag` of a skeleton beside numbers and flags, if its names are looked at. It is in an element `parent`.
 fn known_parts<'t>(tag: &str, parent: impl Fn() -> &'t str) -> &'static [&'static str] {
     match tag {
@@ -260,6 +263,8 @@ pub(super) fn find_misread_texts(model: &Model) -> Vec<Finding> {
                 let numbers = all.iter().flat_map(|(tags, ..)| tags.iter());
                 known.clear();
                 known.extend(parts.iter().chain(numbers).copied());
+                known
+                    .extend((document.version() <= LAST_VERSION_WITH_ONE_COORDINATE).then_some("coordinate"));
                 found.extend(find_unknown_children(model, component.file, element, (&known, &mut meant)));
             }
             if all.is_empty() {

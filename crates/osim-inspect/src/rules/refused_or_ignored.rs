@@ -54,7 +54,7 @@ rule! { pub(super) VERSION_AGAINST_FORM: OtherVersion, Error;
 }
 
 /// The first version whose joints are in a JointSet.
-const FIRST_VERSION_WITH_JOINT_SET: u32 = 30505;
+const FIRST_VERSION_WITH_JOINT_SET: u32 = 30501;
 
 /// Finds a document whose form is that of another version than it says.
 fn find_version_against_form(model: &Model) -> Vec<Finding> {
@@ -66,7 +66,7 @@ fn find_version_against_form(model: &Model) -> Vec<Finding> {
     let joints = || tree.child(tree.child(document.data_root(), "JointSet")?, "objects");
     let joint = joints().filter(|_| version < FIRST_VERSION_WITH_JOINT_SET).map(|all| tree.children(all));
     let early = joint
-        .and_then(|mut all| Some((all.next()?, "its joints are in a JointSet, as from 30505 on".into())));
+        .and_then(|mut all| Some((all.next()?, "its joints are in a JointSet, as from 30501 on".into())));
     let mut late = None;
     tree.walk(document.data_root(), |id| {
         let tag = tree.name(id);

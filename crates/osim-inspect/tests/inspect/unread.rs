@@ -405,6 +405,36 @@ fn numbers_of_functions_and_names_in_joints_are_guarded() {
     }
 }
 
+/// OpenSim 4.6 reads a JointSet from 30501 on; its model double_pendulum.osim is such a document. CustomJoint.cpp renames `coordinate` in
+/// documents before 10901.
+#[test]
+fn older_forms_of_joints_are_right_in_their_versions() {
+    let axis = "<OpenSimDocument Version=\"10900\"><Model name=\"m\"><BodySet><objects><Body name=\"pelvis\"><mass>1</mass><Joint>\
+         <CustomJoint name=\"j\"><SpatialTransform><TransformAxis name=\"tilt\"><coordinate>tilt</coordinate></TransformAxis>\
+         </SpatialTransform></CustomJoint></Joint></Body></objects></BodySet></Model></OpenSimDocument>";
+    for (text, own, other, code, is_found) in [
+        (
+            include_str!("../../../../fixtures/format/v30505.osim"),
+            "30505",
+            "30501",
+            FindingCode::OtherVersion,
+            false,
+        ),
+        (
+            include_str!("../../../../fixtures/format/v30505.osim"),
+            "30505",
+            "30500",
+            FindingCode::OtherVersion,
+            true,
+        ),
+        (axis, "10900", "10900", FindingCode::UnknownName, false),
+        (axis, "10900", "10901", FindingCode::UnknownName, true),
+    ] {
+        let model = Model::parse(text.replacen(own, other, 1)).unwrap();
+        assert_eq!(model_findings(&model).iter().any(|one| one.code() == code), is_found, "{other}");
+    }
+}
+
 /// OpenSim 4.6 refuses a coordinate whose least value is infinite, or whose largest one is minus infinity.
 #[test]
 fn a_range_may_be_without_bounds() {
