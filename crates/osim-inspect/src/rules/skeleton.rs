@@ -10,6 +10,7 @@ use osim_model::{
     DVec3, Example, Finding, Force, Model, ModelJoint, Repair, Rule, Side, Sphere, SphereId, without_side,
 };
 
+use crate::reach::is_named_after_foot;
 use crate::rules::misread::find_misread_texts;
 use crate::rules::spheres::{finding_about_spheres, other_cases_in_words};
 use osim_model::rule;
@@ -149,8 +150,15 @@ impl<'m> LimbsFromFeet<'m> {
     /// The finding about the two limbs that differ most.
     fn find_unlike_bones(&self) -> Option<Finding> {
         let distances = self.model.joint_distances();
+        let spheres = self.model.spheres().iter();
+        let with_spheres: BTreeSet<&str> = spheres.filter_map(|sphere| sphere.body.as_deref()).collect();
+        let is_foot = |body: &&str| is_named_after_foot(body) || with_spheres.contains(body);
+        let feet = self.by_name.values().copied().filter(is_foot);
+        // Arms on which nothing stands may be unlike.
+        let carriers: BTreeSet<&str> = feet.flat_map(|foot| self.path(foot)).collect();
         let differences = self.by_name.iter().filter_map(|((_, side), &body)| {
             let other = self.counterpart(body).filter(|_| *side == Side::Left)?;
+            [body, other].iter().find(|bone| carriers.contains(*bone))?;
             let longest_m = [body, other].into_iter().filter_map(|body| distances.longest_in_limb(body));
             let (bone_m, apart_m) = (longest_m.reduce(f64::max)?, self.difference_m(body, other)?);
             (apart_m > UNLIKE_PART_OF_BONE * bone_m).then_some((apart_m, bone_m, body, other))
@@ -186,12 +194,15 @@ impl<'m> LimbsFromFeet<'m> {
     /// which differ in some models.
     fn difference_m(&self, body: &'m str, other: &'m str) -> Option<f64> {
         let [one, two] = [self.place_m(body)?, self.place_m(other)?];
-        let [own_m, others_m] =
-            [body, other].map(|body| self.above.get(body).map(|joint| joint.in_child.translation_m.length()));
-        let on_bodies_m = (own_m? - others_m?).abs();
-        let [parent, of_other] = [self.parent(body)?, self.parent(other)?];
         let centre_m =
             |body: &str| self.model.body_shapes().get(body).map_or(DVec3::ZERO, |shape| shape.centre_m);
+        let in_child_m = |body: &str| self.above.get(body).map(|joint| joint.in_child.translation_m);
+        let [own_m, others_m] = [in_child_m(body)?, in_child_m(other)?];
+        let of_origins_m = (own_m.length() - others_m.length()).abs();
+        // The origin of a body may be anywhere, for example that of a scanner, on one side alone.
+        let of_centres_m = own_m.distance(centre_m(body)) - others_m.distance(centre_m(other));
+        let on_bodies_m = of_origins_m.min(of_centres_m.abs());
+        let [parent, of_other] = [self.parent(body)?, self.parent(other)?];
         if parent == of_other {
             // The origin of the trunk can be on one side.
             let places = [DVec3::ZERO, centre_m(parent)].into_iter();

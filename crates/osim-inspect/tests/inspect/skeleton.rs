@@ -82,5 +82,38 @@ fn a_bone_that_is_far_from_its_own_joint_is_unlike_its_counterpart() {
     let far = "<PhysicalOffsetFrame name=\"far\"><socket_parent>/bodyset/toes_l</socket_parent><translation>0 0.4 0</translation></PhysicalOffsetFrame>";
     let text = HUMAN.replacen(">/bodyset/toes_l</socket_child_frame>", ">far</socket_child_frame>", 1);
     let text = text.replacen(frame, &format!("{far}{frame}"), 1);
-    assert!(findings_of_text(&text).iter().any(|one| one.code() == FindingCode::LeftRightBones));
+    let is_found =
+        |text: &str| findings_of_text(text).iter().any(|one| one.code() == FindingCode::LeftRightBones);
+    assert!(is_found(&text));
+    // With its centre of mass there, too, only the origin of the body is elsewhere.
+    let (before, toes) = text.split_once("<Body name=\"toes_l\">").unwrap();
+    let toes = toes.replacen("<mass_center>0 0 0<", "<mass_center>0 0.4 0<", 1);
+    assert!(!is_found(&format!("{before}<Body name=\"toes_l\">{toes}")));
+}
+
+/// As in OpenSim's ArmCurlingFullBody.osim, whose right arm hangs on the thorax without a scapula.
+#[test]
+fn arms_on_which_nothing_stands_may_be_unlike() {
+    let joint = |name: &str, parent: &str, place: &str| {
+        format!(
+            "<PinJoint name=\"{name}\"><socket_parent_frame>place</socket_parent_frame><socket_child_frame>/bodyset/{name}</socket_child_frame>\
+             <frames><PhysicalOffsetFrame name=\"place\"><socket_parent>/bodyset/{parent}</socket_parent><translation>{place}</translation>\
+             </PhysicalOffsetFrame></frames></PinJoint>"
+        )
+    };
+    for (upper, lower, is_found) in [("humerus", "hand", false), ("shank", "foot", true)] {
+        let (mut bodies, mut joints) = (String::new(), String::new());
+        for (side, place) in [("r", "0 0.5 0.2"), ("l", "0.7 0.1 0")] {
+            let [above, below] = [upper, lower].map(|part| format!("{part}_{side}"));
+            for name in [&above, &below] {
+                bodies += &format!("<Body name=\"{name}\"><mass>1</mass></Body>");
+            }
+            joints += &joint(&above, "pelvis", place);
+            joints += &joint(&below, &above, "0 -0.3 0");
+        }
+        let text = ["<Body name=\"pelvis\">", "<PinJoint name=\"leg_r\">"].into_iter().zip([bodies, joints]);
+        let text = text.fold(HUMAN.to_owned(), |text, (at, new)| text.replacen(at, &format!("{new}{at}"), 1));
+        let found = findings_of_text(&text);
+        assert_eq!(found.iter().any(|one| one.code() == FindingCode::LeftRightBones), is_found, "{upper}");
+    }
 }
