@@ -105,7 +105,7 @@ impl<'s> StageProblem<'s> {
     }
 
     /// Calls `take` with the residuals of each foot in each frame; without `slopes`, rows have no derivatives.
-    fn residuals(&self, unknowns: &[f64], slopes: bool, mut take: impl FnMut(usize, &FootSlopes, &Row)) {
+    fn residuals(&self, unknowns: &[f64], slopes: bool, mut take: impl FnMut(usize, usize, &Row)) {
         let CorrectionInputs { level, weight_n, ref options, .. } = *self.setting;
         let difference: Vec<f64> = unknowns.iter().zip(&self.read_at).map(|(now, then)| now - then).collect();
         let place = self.setting.coefficients();
@@ -147,7 +147,7 @@ impl<'s> StageProblem<'s> {
                         sum.by_constant[2] -= by[3];
                         sum.by_constant[3] += own * by[0];
                     }
-                    take(frame, along, &sum);
+                    take(frame, number, &sum);
                 };
                 row(goal.normal_n * unit, &|_| [unit, 0.0, 0.0]);
                 if let Some(centre_m) = goal.centre_m {
@@ -175,19 +175,29 @@ impl<'s> StageProblem<'s> {
         let mut equations = self.sizes.clone();
         equations.gradient = self.sizes.times_vector(unknowns);
         let (basis, count) = (&self.setting.basis, self.setting.coordinates.len());
-        let mut entries = Vec::new();
-        self.residuals(unknowns, true, |frame, along, row| {
-            entries.clear();
+        // The rows of one foot in one frame depend on the same unknowns.
+        let (mut block, mut places) = ((usize::MAX, 0), Vec::new());
+        let (mut slopes, mut residuals) = (Vec::new(), Vec::new());
+        self.residuals(unknowns, true, |frame, foot, row| {
             let [values, rates, _] = &basis.weights[frame];
-            for (spline, (value, rate)) in values.iter().zip(rates).enumerate() {
-                let start = (basis.first[frame] + spline) * count;
-                let slopes = along.coordinates.iter().zip(&row.by_coordinate);
-                entries.extend(slopes.map(|(number, by)| (start + number, value * by[0] + rate * by[1])));
+            if block != (frame, foot) {
+                equations.add(&places, &slopes, &residuals);
+                block = (frame, foot);
+                places.clear();
+                slopes.clear();
+                residuals.clear();
+                let starts = (basis.first[frame]..).take(values.len()).map(|spline| spline * count);
+                let of_foot = &self.slopes[foot].coordinates;
+                places.extend(starts.flat_map(|start| of_foot.iter().map(move |number| start + number)));
+                places.extend((0..CONSTANTS).map(|number| basis.count * count + number));
             }
-            let constants = row.by_constant.into_iter().enumerate();
-            entries.extend(constants.map(|(number, by)| (basis.count * count + number, by)));
-            equations.add(&entries, row.residual);
+            for (value, rate) in values.iter().zip(rates) {
+                slopes.extend(row.by_coordinate.iter().map(|by| value * by[0] + rate * by[1]));
+            }
+            slopes.extend(row.by_constant);
+            residuals.push(row.residual);
         });
+        equations.add(&places, &slopes, &residuals);
         equations
     }
 }
@@ -224,15 +234,17 @@ fn correction_sizes(setting: &CorrectionInputs<'_>, slopes: &[FootSlopes]) -> No
     let (basis, coordinates) = (&setting.basis, &setting.coordinates);
     let count = coordinates.len();
     let mut sizes = NormalEquations::new(setting.coefficients(), count);
-    let mut entries = Vec::new();
+    let (mut places, mut slopes_of_row) = (Vec::new(), Vec::new());
     // Adds the square of a sum over coordinates of a frame; `order` 2 takes the accelerations.
     let mut add = |sizes: &mut NormalEquations, frame: usize, order: usize, by: &[(usize, f64)]| {
-        entries.clear();
+        places.clear();
+        slopes_of_row.clear();
         for (spline, weight) in basis.weights[frame][order].iter().enumerate() {
             let start = (basis.first[frame] + spline) * count;
-            entries.extend(by.iter().map(|(number, slope)| (start + number, weight * slope)));
+            places.extend(by.iter().map(|(number, _)| start + number));
+            slopes_of_row.extend(by.iter().map(|(_, slope)| weight * slope));
         }
-        sizes.add(&entries, 0.0);
+        sizes.add(&places, &slopes_of_row, &[0.0]);
     };
     for frame in 0..basis.first.len() {
         for (number, coordinate) in coordinates.iter().enumerate() {
@@ -263,7 +275,7 @@ fn correction_sizes(setting: &CorrectionInputs<'_>, slopes: &[FootSlopes]) -> No
     let counted = (SHARE_OF_FRAMES_PER_CONSTANT * basis.first.len() as f64).sqrt();
     for (number, size) in USUAL_CONSTANTS.into_iter().enumerate() {
         let size = if setting.free[number] { size } else { USUAL_SIZE_OF_FIXED_CONSTANT };
-        sizes.add(&[(setting.coefficients() + number, counted / size)], 0.0);
+        sizes.add(&[setting.coefficients() + number], &[counted / size], &[0.0]);
     }
     sizes
 }

@@ -33,22 +33,28 @@ impl NormalEquations {
         (i + 1 - (self.ends[i] - start), start..self.ends[i])
     }
 
-    /// Adds a residual with its derivatives by some unknowns, in rising order.
-    pub(super) fn add(&mut self, derivatives: &[(usize, f64)], residual: f64) {
-        let slopes: Vec<f64> = derivatives.iter().map(|(_, slope)| *slope).collect();
+    /// Adds residuals that depend on the same `unknowns`, in rising order; `slopes` has the derivatives of the first residual, then of the
+    /// next.
+    pub(super) fn add(&mut self, unknowns: &[usize], slopes: &[f64], residuals: &[f64]) {
         // Unknowns without a gap between them are next to each other in a row, too: where each run begins and ends, and its first unknown.
         let mut runs: Vec<(Range<usize>, usize)> = Vec::new();
-        for run in derivatives.chunk_by(|a, b| a.0 + 1 == b.0) {
+        for run in unknowns.chunk_by(|a, b| a + 1 == *b) {
             let start = runs.last().map_or(0, |(before, _)| before.end);
-            runs.push((start..start + run.len(), run[0].0));
+            runs.push((start..start + run.len(), run[0]));
         }
-        for (number, &(i, slope)) in derivatives.iter().enumerate() {
-            self.gradient[i] += slope * residual;
+        let mut products = vec![0.0; unknowns.len()];
+        for (number, &i) in unknowns.iter().enumerate() {
+            products.fill(0.0);
+            for (row, residual) in slopes.chunks_exact(unknowns.len()).zip(residuals) {
+                let slope = row[number];
+                self.gradient[i] += slope * residual;
+                products[..=number].iter_mut().zip(row).for_each(|(sum, other)| *sum += slope * other);
+            }
             let (first, row) = self.row(i);
             for (run, unknown) in runs.iter().take_while(|(run, _)| run.start <= number) {
                 let entries = &mut self.entries[row.start + unknown - first..];
-                let others = &slopes[run.start..run.end.min(number + 1)];
-                entries.iter_mut().zip(others).for_each(|(entry, other)| *entry += slope * other);
+                let products = &products[run.start..run.end.min(number + 1)];
+                entries.iter_mut().zip(products).for_each(|(entry, product)| *entry += product);
             }
         }
     }
@@ -114,13 +120,13 @@ impl NormalEquations {
     }
 }
 
-/// The sum of the products of as many numbers as both lists have: four sums at a time, which a processor computes side by side.
+/// The sum of the products of as many numbers as both lists have: eight sums at a time, which a processor computes side by side.
 pub(super) fn dot_product(one: &[f64], other: &[f64]) -> f64 {
     let count = one.len().min(other.len());
-    let (ones, others) = (one[..count].chunks_exact(4), other[..count].chunks_exact(4));
+    let (ones, others) = (one[..count].chunks_exact(8), other[..count].chunks_exact(8));
     let rest: f64 = ones.remainder().iter().zip(others.remainder()).map(|(a, b)| a * b).sum();
-    let add = |sums: [f64; 4], (a, b): (&[f64], &[f64])| std::array::from_fn(|i| sums[i] + a[i] * b[i]);
-    ones.zip(others).fold([0.0; 4], add).into_iter().sum::<f64>() + rest
+    let add = |sums: [f64; 8], (a, b): (&[f64], &[f64])| std::array::from_fn(|i| sums[i] + a[i] * b[i]);
+    ones.zip(others).fold([0.0; 8], add).into_iter().sum::<f64>() + rest
 }
 
 #[cfg(test)]
@@ -134,11 +140,15 @@ mod tests {
         for number in 0..40_usize {
             let first = number % 6;
             let slope = |place: usize| ((number * 7 + place * 3 + number * place) as f64).sin();
-            let all: Vec<(usize, f64)> =
-                (first..first + 4).chain(9..13).map(|place| (place, slope(place))).collect();
-            equations.add(&all, slope(30));
-            for &(i, a) in &all {
-                all.iter().for_each(|&(j, b)| dense[i][j] += a * b);
+            let places: Vec<usize> = (first..first + 4).chain(9..13).collect();
+            let of_row =
+                |row: usize| places.iter().map(move |place| slope(place + row)).collect::<Vec<f64>>();
+            let rows = [of_row(0), of_row(20)];
+            equations.add(&places, &rows.concat(), &[slope(30), slope(31)]);
+            for row in rows {
+                for (&i, a) in places.iter().zip(&row) {
+                    places.iter().zip(&row).for_each(|(&j, b)| dense[i][j] += a * b);
+                }
             }
         }
         (equations, dense)
@@ -175,7 +185,8 @@ mod tests {
             let slopes = blocks.iter().flat_map(|(start, weight)| {
                 curves.iter().zip(row).map(move |(curve, slope)| (start + curve, weight * slope))
             });
-            one.add(&slopes.collect::<Vec<_>>(), 0.0);
+            let (unknowns, slopes): (Vec<usize>, Vec<f64>) = slopes.unzip();
+            one.add(&unknowns, &slopes, &[0.0]);
         }
         let product = |i: usize, j: usize| rows.iter().map(|row| row[i] * row[j]).sum::<f64>();
         let products: Vec<f64> = (0..9).map(|place| product(place / 3, place % 3)).collect();

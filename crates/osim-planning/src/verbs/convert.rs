@@ -140,7 +140,7 @@ const NAMES_LISTED: usize = 3;
 fn remarks_on_dropped_content(dropped: &[(String, String)]) -> Vec<Phrase> {
     let one = |(path, what): &(String, String)| {
         Phrase::from(format!(
-            "{path} contained {what}: not in what replaces it, copy it from the old model if it matters"
+            "{path} contained {what}: not in what replaces it; keep the old model if it matters"
         ))
     };
     let mut remarks: Vec<Phrase> = dropped.iter().take(NAMES_LISTED).map(one).collect();
