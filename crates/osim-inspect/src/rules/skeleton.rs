@@ -35,7 +35,7 @@ rule! { pub(super) LEFT_RIGHT_BONES: LeftRightBones, Warning, Sides;
 }
 
 /// The largest number of bodies from a foot to ground; joints can be in a loop.
-const MOST_BONES: usize = 64;
+const MOST_BONES: usize = 32;
 
 /// Finds a body on the wrong side, else limbs that are not mirror images: one finding, because the second follows from the first.
 pub(super) fn find_wrong_side_or_unlike_limbs(model: &Model) -> Vec<Finding> {
