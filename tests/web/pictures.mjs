@@ -32,7 +32,7 @@ const PICTURES = {
     },
   },
   followed: {
-    width: 1040, height: 640,
+    width: 1040, height: 670,
     show: async (user) => {
       await user.open(given("scale_tool/scaled_smooth.osim", "scaled.osim"), given("scale_tool/generic_smooth.osim", "generic.osim"));
       await user.opened("scaled.osim");
