@@ -22,6 +22,7 @@ mod bytes;
 mod cases;
 mod cases_shapes;
 mod cases_skeleton;
+mod cases_terminal;
 mod cases_unread;
 mod check;
 mod check_output;

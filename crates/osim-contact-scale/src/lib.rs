@@ -7,6 +7,7 @@ mod args;
 mod commands;
 mod exit;
 mod one_call;
+mod suggestions;
 mod terminal;
 
 use std::path::PathBuf;
@@ -17,12 +18,10 @@ use clap::error::ErrorKind;
 use osim_model::messages::Verb;
 use osim_requests::{PlotKind, RequestFault};
 
-use crate::args::{
-    Call, bare_command, command, is_quiet, suggest, suggested_axis, suggested_figure, suggested_plates,
-    typed_call, usage_line, verb_names,
-};
+use crate::args::{Call, bare_command, command, is_quiet, typed_call, usage_line, verb_names};
 use crate::exit::{Exit, exit_of, text_of};
 use crate::one_call::{COMMAND_LINE_WORDS, Session};
+use crate::suggestions::{suggest, suggested_axis, suggested_figure, suggested_plates};
 use crate::terminal::{Terminal, without_closed_pipe};
 
 /// Runs the command with the arguments of the command line.

@@ -22,6 +22,7 @@
 //! end prints or runs.
 #![cfg_attr(not(test), deny(clippy::disallowed_methods))]
 
+mod body_bones;
 mod figures;
 mod findings;
 mod inspection;
@@ -29,6 +30,7 @@ mod known_contacts;
 mod load;
 mod place_evidence;
 mod plane_judgement;
+mod published_layouts;
 mod quantity;
 mod reach;
 mod real_feet;

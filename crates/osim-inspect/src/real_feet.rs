@@ -3,7 +3,7 @@
 use osim_model::messages::{counted, four_significant};
 use osim_model::{Model, Sphere};
 
-use crate::reach::BodyBones;
+use crate::body_bones::BodyBones;
 use crate::{Figure, Inspection, LimbFigures, SphereFigures};
 
 /// k R n/F of mammals' foot pads: 3 to 13 times the paper's 4.24.

@@ -20,10 +20,10 @@ use osim_view::html::{DetailLevel, Entry};
 use osim_view::report::json::{FailureRecord, PlanRecord, line};
 use osim_view::report::plan;
 
-use crate::args::suggest;
 use crate::commands::survey;
 use crate::exit::{self, Exit};
 use crate::one_call::{Session, end_page, typed_command_line};
+use crate::suggestions::suggest;
 use crate::terminal::Progress;
 
 /// Makes a prepared change in all models that it names.

@@ -6,7 +6,7 @@ use osim_model::messages::{Input, Phrase, Verb, four_significant, phrase, readab
 use osim_model::{Example, Finding, Repair, Rule, Severity, are_equal_masses};
 use osim_requests::Request;
 
-use crate::reach::is_named_after_foot;
+use crate::body_bones::is_named_after_foot;
 use crate::rules::figure_check::{FigureCheck, UP_TO_CENTRE_RADII, value_beyond_limit};
 use crate::rules::standing::{UnevenLimb, bottoms_by_path, level_feet};
 use crate::{Figure, FindingWithRemedy, SphereFigures};

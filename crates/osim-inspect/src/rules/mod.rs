@@ -17,6 +17,7 @@ mod smoothing;
 mod spheres;
 mod standing;
 mod unlikely_numbers;
+mod written_properties;
 
 use contact_scaling::limits::SUGGESTED_CONSTANT_INDENTATION;
 use osim_model::{Finding, FindingCode, Model, Rule};

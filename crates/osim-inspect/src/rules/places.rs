@@ -8,10 +8,12 @@ use osim_model::{Example, Finding, FindingCode, Model, Note, Repair, ScaledSince
 use osim_requests::options::{FollowOptions, MovedChoice, ScalingOptions};
 use osim_requests::{Kilograms, Request, RescaleRequest, TransferRequest};
 
+use crate::body_bones::BodyBones;
 use crate::findings::{FindingWithRemedy, Remedies, rounded_mass};
 use crate::inspection::Inspection;
-use crate::place_evidence::{LayoutMatch, PlaceEvidence};
-use crate::reach::{BodyBones, Reach};
+use crate::place_evidence::PlaceEvidence;
+use crate::published_layouts::LayoutMatch;
+use crate::reach::Reach;
 use crate::rules::spheres::finding_about_spheres;
 use crate::sides::BothSides;
 use osim_model::rule;

@@ -10,7 +10,7 @@ use osim_model::{
     DVec3, Example, Finding, Force, Model, ModelJoint, Repair, Rule, Side, Sphere, SphereId, without_side,
 };
 
-use crate::reach::is_named_after_foot;
+use crate::body_bones::is_named_after_foot;
 use crate::rules::misread::find_misread_texts;
 use crate::rules::spheres::{finding_about_spheres, other_cases_in_words};
 use osim_model::rule;

@@ -6,7 +6,7 @@ use foldhash::{HashMap, HashMapExt};
 use osim_model::messages::{readable, shown, three_significant};
 use osim_model::{Body, BodyShape, DVec3, Example, Finding, MassRequest, Model, Repair, Rule, Side, Sphere};
 
-use crate::reach::BodyBones;
+use crate::body_bones::BodyBones;
 use crate::sides::{BothSides, place_key};
 use osim_model::rule;
 

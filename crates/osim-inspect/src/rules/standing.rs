@@ -6,7 +6,7 @@ use osim_model::messages::{readable, shown, three_significant};
 use osim_model::{Example, Finding, Repair, Rule};
 use osim_requests::Request;
 
-use crate::reach::is_named_after_foot;
+use crate::body_bones::is_named_after_foot;
 use crate::rules::figure_check::FigureCheck;
 use crate::rules::skeleton::series_of;
 use crate::{Bottom, Figure, FindingWithRemedy, LimbFigures, SphereFigures, StandingBody};
