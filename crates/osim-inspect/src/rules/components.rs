@@ -1,5 +1,6 @@
 //! Rules about the components of a model: their files, classes, names, connections and joints.
 
+use std::cell::LazyCell;
 use std::collections::BTreeMap;
 
 use foldhash::{HashSet, HashSetExt};
@@ -156,7 +157,8 @@ fn find_lost_sockets_of_coordinates(model: &Model) -> Option<Finding> {
         let path = components.at(joint.file, joint.element).map(|id| components.tree.path(id));
         joint.coordinates.iter().filter_map(move |one| Some(format!("{}/{}", path.as_deref()?, one.name)))
     });
-    let known: HashSet<String> = paths.collect();
+    // Few models have such a socket.
+    let known = LazyCell::new(|| paths.collect::<HashSet<String>>());
     let (tree, mut lost) = (document.tree(), Vec::new());
     tree.walk(document.data_root(), |id| {
         let tag = tree.name(id);
