@@ -6,7 +6,7 @@ use osim_library::workbook_as_csv;
 use osim_model::files::{CompanionPaths, InMemory, ModelFiles};
 use osim_planning::SweepPlan;
 use osim_requests::Request;
-use osim_requests::spell::{CommandLine, Matlab, Python, Speller};
+use osim_requests::spell::{CommandLine, FrontEnd, Matlab, Python};
 use osim_web::Engine;
 
 use crate::request::fnv;

@@ -14,7 +14,7 @@ use osim_library::{LibraryFault, sha256};
 use osim_model::messages::{Call, Dialect, Example, FieldNames, Input};
 use osim_planning::prepare;
 use osim_requests::options::RunOptions;
-use osim_requests::spell::Speller;
+use osim_requests::spell::FrontEnd;
 use osim_requests::{BatchRequest, Request};
 use tempfile::TempDir;
 
@@ -34,7 +34,7 @@ impl Dialect for Words {
     }
 }
 
-impl Speller for Words {
+impl FrontEnd for Words {
     fn request(&self, request: &Request) -> String {
         panic!("nobody asked for {request:?}")
     }
@@ -50,7 +50,7 @@ struct CountingFrontEnd {
 impl RunFrontEnd for CountingFrontEnd {
     type Shown = Vec<PathBuf>;
 
-    fn dialect(&self) -> &dyn Speller {
+    fn dialect(&self) -> &dyn FrontEnd {
         &Words
     }
 

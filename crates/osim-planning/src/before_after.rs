@@ -5,7 +5,7 @@ use osim_inspect::{CheckResult, Figures, InspectOptions, Inspection, ReferenceSt
 use osim_model::files::{Failure, FileName, InMemory, ModelFiles, OpenModel};
 use osim_model::{Model, Property};
 use osim_patch::Plan;
-use osim_requests::spell::Speller;
+use osim_requests::spell::FrontEnd;
 
 use crate::remedies::{NO_CODES, RemedyTrials};
 use crate::scene::{BodyFall, Scene};
@@ -43,7 +43,7 @@ impl BeforeAfter {
         opened: &OpenModel,
         plan: &Plan,
         changed: impl FnOnce() -> ModelFiles,
-        dialect: &dyn Speller,
+        dialect: &dyn FrontEnd,
         with_feet: bool,
     ) -> Result<Self, Failure> {
         let before = &change.options;
@@ -91,7 +91,7 @@ impl BeforeAfter {
         Ok(states)
     }
 
-    fn spell(&mut self, dialect: &dyn Speller) {
+    fn spell(&mut self, dialect: &dyn FrontEnd) {
         for (inspection, check) in std::iter::once(&mut self.before).chain(&mut self.after) {
             inspection.spell(dialect);
             check.spell(dialect);

@@ -14,7 +14,7 @@ use osim_model::files::{Failure, Files};
 use osim_model::messages::terminal_safe;
 use osim_planning::{Inspector, prepare};
 use osim_requests::options::RunOptions;
-use osim_requests::spell::Speller;
+use osim_requests::spell::FrontEnd;
 use osim_requests::{Jobs, Request};
 use osim_view::html::{DetailLevel, Entry};
 use osim_view::report::extent::{Extent, Layout};
@@ -38,7 +38,7 @@ struct PageEntryMaker<'r> {
 impl RunFrontEnd for PageEntryMaker<'_> {
     type Shown = Option<Entry>;
 
-    fn dialect(&self) -> &dyn Speller {
+    fn dialect(&self) -> &dyn FrontEnd {
         PYTHON_SPELLING
     }
 

@@ -5,7 +5,7 @@
 use clap::Command;
 use osim_model::messages::Verb;
 use osim_requests::command_line::{read, with_options};
-use osim_requests::spell::{CommandLine, Python, Speller};
+use osim_requests::spell::{CommandLine, FrontEnd, Python};
 use osim_requests::{Request, schema_of};
 use serde_json::{Map, Value, json};
 

@@ -8,7 +8,7 @@ use osim_planning::scene::{AnimalFall, BoneSurfaces};
 use osim_planning::{Inspector, PreparedChange, prepare};
 use osim_requests::Request;
 use osim_requests::options::SetFiles;
-use osim_requests::spell::{CommandLine, FrontEnd, Page, Speller};
+use osim_requests::spell::{CommandLine, FrontEnd, Page};
 use serde::Serialize;
 use serde_json::json;
 use wasm_bindgen::prelude::wasm_bindgen;

@@ -2,7 +2,7 @@
 
 use osim_planning::{DesignSheet, design_sheet, find_presets};
 use osim_requests::Request;
-use osim_requests::spell::{CommandLine, Matlab, Page, Python, Speller};
+use osim_requests::spell::{CommandLine, FrontEnd, Matlab, Page, Python};
 use osim_view::report::explain::{Alphabet, answer};
 use osim_view::report::layout::WIDTH;
 use osim_view::report::results::{PresetRecord, design_sheet_text, preset_text};

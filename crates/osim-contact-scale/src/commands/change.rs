@@ -14,7 +14,7 @@ use osim_model::messages::{Input, Phrase, Verb, listed, one_line, phrase};
 use osim_model::{FileId, Severity};
 use osim_planning::{PreparedChange, may_be_file, prepare};
 use osim_requests::options::{InspectionOptions, RunFormat, RunOptions, SheetFormat};
-use osim_requests::spell::Speller;
+use osim_requests::spell::FrontEnd;
 use osim_requests::{BatchRequest, InspectRequest, Request, RequestError, RescaleRequest};
 use osim_view::html::{DetailLevel, Entry};
 use osim_view::report::json::{FailureRecord, PlanRecord, line};
@@ -320,7 +320,7 @@ pub(crate) struct ResultPrinter<'s> {
 impl RunFrontEnd for ResultPrinter<'_> {
     type Shown = Shown;
 
-    fn dialect(&self) -> &dyn Speller {
+    fn dialect(&self) -> &dyn FrontEnd {
         // A front end's words are words for remedies, too.
         self.words
     }

@@ -5,7 +5,7 @@ use std::cmp::Reverse;
 use osim_model::messages::{Phrase, counted};
 use osim_model::{Finding, FindingCode, Model, Severity, VerdictTopic};
 use osim_requests::Request;
-use osim_requests::spell::Speller;
+use osim_requests::spell::FrontEnd;
 use serde::Serialize;
 
 #[cfg(feature = "schemas")]
@@ -256,7 +256,7 @@ impl CheckResult {
     }
 
     /// Writes all texts of the result in the words of a front end.
-    pub fn spell(&mut self, speller: &dyn Speller) {
+    pub fn spell(&mut self, speller: &dyn FrontEnd) {
         self.verdicts.iter_mut().for_each(|verdict| verdict.text.spell(speller));
         self.findings.iter_mut().for_each(|finding| finding.spell(speller));
         self.commands = self.steps.iter().map(|step| speller.request(step)).collect();

@@ -5,7 +5,7 @@ use std::ops::Deref;
 use foldhash::{HashMap, HashMapExt};
 use osim_model::{Finding, FindingCode, Severity};
 use osim_requests::Request;
-use osim_requests::spell::Speller;
+use osim_requests::spell::FrontEnd;
 
 /// A finding about a model, and the request that corrects the fault. It derefs to its [`Finding`].
 #[derive(Debug, Clone, PartialEq)]
@@ -31,7 +31,7 @@ impl FindingWithRemedy {
     }
 
     /// Writes the texts and the remedy of the finding in the words of a front end.
-    pub fn spell(&mut self, speller: &dyn Speller) {
+    pub fn spell(&mut self, speller: &dyn FrontEnd) {
         self.finding.spell(speller);
         self.command = self.remedy.as_ref().map(|remedy| speller.request(remedy));
     }

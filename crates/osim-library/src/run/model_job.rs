@@ -10,7 +10,7 @@ use osim_model::messages::{Input, phrase};
 use osim_patch::Plan;
 use osim_planning::{BeforeAfter, PreparedChange};
 use osim_requests::options::{OutputOptions, RunOptions};
-use osim_requests::spell::Speller;
+use osim_requests::spell::FrontEnd;
 
 use crate::fault::Context;
 use crate::file_access::{self, sha256, sha256_of_parts};
@@ -346,7 +346,7 @@ impl PlannedModel {
         loaded: LoadedModel,
         change: PreparedChange,
         files: &dyn Files,
-        dialect: &dyn Speller,
+        dialect: &dyn FrontEnd,
     ) -> Result<Self, Failure> {
         let LoadedModel { files: model, origin } = loaded;
         let kept = model.with_bytes(Vec::new());
@@ -374,7 +374,7 @@ impl PlannedModel {
     /// The new model cannot be read, which is a defect of this program.
     pub fn show<T>(
         &self,
-        dialect: &dyn Speller,
+        dialect: &dyn FrontEnd,
         with_feet: bool,
         show: impl FnOnce(ChangedModel<'_>) -> T,
     ) -> Result<T, Failure> {

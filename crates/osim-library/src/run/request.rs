@@ -9,7 +9,7 @@ use osim_model::messages::{Input, Verb, phrase};
 use osim_patch::Plan;
 use osim_planning::{BeforeAfter, PreparedChange};
 use osim_requests::options::{OutputOptions, RunFormat, RunOptions};
-use osim_requests::spell::Speller;
+use osim_requests::spell::FrontEnd;
 
 use crate::paths::refuse_file_as_folder;
 use crate::run::task::{JobSettings, PathConflicts, PathOwner, Task};
@@ -192,7 +192,7 @@ pub trait RunFrontEnd: Sync {
     type Shown: Send;
 
     /// How the front end spells options in messages.
-    fn dialect(&self) -> &dyn Speller;
+    fn dialect(&self) -> &dyn FrontEnd;
 
     /// Which details of each model the front end needs.
     fn detail(&self) -> ModelDetail;

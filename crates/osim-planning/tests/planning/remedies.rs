@@ -10,7 +10,7 @@ use osim_model::messages::{Call, Dialect, Example, Input};
 use osim_model::{Assignment, FileId, FindingCode, MassRequest, Model, Property, Selection};
 use osim_patch::{Design, DesignModulus, design};
 use osim_requests::options::WantedOptions;
-use osim_requests::spell::Speller;
+use osim_requests::spell::FrontEnd;
 use osim_requests::{ConstantIndentation, Request};
 use serde_json::{Value, json};
 use std::path::Path;
@@ -349,7 +349,7 @@ impl Dialect for AngleBracketFrontEnd {
     }
 }
 
-impl Speller for AngleBracketFrontEnd {
+impl FrontEnd for AngleBracketFrontEnd {
     fn request(&self, request: &Request) -> String {
         format!("change by {}", request.verb().name())
     }

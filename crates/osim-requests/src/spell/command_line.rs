@@ -6,7 +6,7 @@ use osim_model::messages::{Call, Dialect, Example, Input, Verb, is_visible};
 
 use crate::register::{Entry, List, OptionValue, option_for, option_named};
 use crate::request::Request;
-use crate::spell::speller::{Field, FieldValue, Fields, FrontEnd, Speller, is_assignment, is_positional};
+use crate::spell::speller::{Field, FieldValue, Fields, FrontEnd, is_assignment, is_positional};
 
 /// Name of the program.
 const PROGRAM_NAME: &str = "osim-contact-scale";
@@ -69,7 +69,7 @@ impl Dialect for CommandLine {
     }
 }
 
-impl Speller for CommandLine {
+impl FrontEnd for CommandLine {
     /// The line for a terminal. It is valid in POSIX shells, and also in PowerShell and cmd if it has no characters that a
     /// POSIX shell expands.
     fn request(&self, request: &Request) -> String {
@@ -79,6 +79,22 @@ impl Speller for CommandLine {
         words.extend(positional.map(|item| shell_quoted(&file_word(&item.text()))));
         words.extend(fields.options.iter().flat_map(|field| option_words(fields.verb, field)));
         words.join(" ")
+    }
+
+    fn command(&self, call: &Call) -> String {
+        format!("{PROGRAM_NAME} {}", self.call(call))
+    }
+
+    fn word(&self, name: &str) -> String {
+        shell_quoted(name)
+    }
+
+    fn prompt(&self) -> &'static str {
+        "$ "
+    }
+
+    fn see_also(&self) -> &'static str {
+        " (see --help)"
     }
 }
 
@@ -106,24 +122,6 @@ fn option_words(verb: Verb, (name, value): &Field) -> Vec<String> {
 /// An assignment as one argument, such as `stiffness=x2` or `calcn_r=1.1,1.05,1.1`.
 fn spelled_assignment((name, value): &Field) -> String {
     format!("{name}={}", value.text())
-}
-
-impl FrontEnd for CommandLine {
-    fn command(&self, call: &Call) -> String {
-        format!("{PROGRAM_NAME} {}", self.call(call))
-    }
-
-    fn word(&self, name: &str) -> String {
-        shell_quoted(name)
-    }
-
-    fn prompt(&self) -> &'static str {
-        "$ "
-    }
-
-    fn see_also(&self) -> &'static str {
-        " (see --help)"
-    }
 }
 
 /// The name of a file as an argument that does not look like an option.

@@ -5,7 +5,7 @@ use serde_json::Value;
 
 use crate::register::{List, OptionValue, is_flag, option_named};
 use crate::request::{Request, verb_entry};
-use crate::spell::speller::{FrontEnd, Speller, is_assignment};
+use crate::spell::speller::{FrontEnd, is_assignment};
 
 /// A request in JSON: `"mass": KG`, `{"verb": "design", "models": ["model.osim"], "indentation": 0.16}`.
 ///
@@ -46,13 +46,11 @@ impl Dialect for JsonRequest {
     }
 }
 
-impl Speller for JsonRequest {
+impl FrontEnd for JsonRequest {
     fn request(&self, request: &Request) -> String {
         request.to_json()
     }
 }
-
-impl FrontEnd for JsonRequest {}
 
 /// The field with the model in requests of `verb`, as JSON: the first file that a call has without a name.
 fn model_field(verb: Verb) -> Option<String> {

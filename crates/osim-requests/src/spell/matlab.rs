@@ -4,7 +4,7 @@ use osim_model::messages::{Call, Dialect, Example, Input, Verb};
 
 use crate::register::{FieldGroup, is_flag};
 use crate::request::Request;
-use crate::spell::speller::{FieldValue, Fields, FrontEnd, Speller, digits, is_assignment, is_positional};
+use crate::spell::speller::{FieldValue, Fields, FrontEnd, digits, is_assignment, is_positional};
 
 /// MATLAB and GNU Octave: `'Mass', KG`, `osimcontact.design('model.osim', 'Indentation', 0.16)`.
 ///
@@ -47,7 +47,7 @@ impl Dialect for Matlab {
     }
 }
 
-impl Speller for Matlab {
+impl FrontEnd for Matlab {
     /// The call in MATLAB. Results are structs, so options for a terminal are omitted.
     fn request(&self, request: &Request) -> String {
         let fields = Fields::of(request);
@@ -68,9 +68,7 @@ impl Speller for Matlab {
     fn script(&self, request: &Request) -> String {
         format!("result = {};", self.request(request))
     }
-}
 
-impl FrontEnd for Matlab {
     fn word(&self, name: &str) -> String {
         matlab_quoted(name)
     }

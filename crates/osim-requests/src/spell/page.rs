@@ -3,7 +3,7 @@
 use osim_model::messages::{Call, Dialect, Example, Input, Verb, readable};
 
 use crate::request::{Request, verb_title};
-use crate::spell::speller::{Field, FieldValue, Fields, FrontEnd, Speller};
+use crate::spell::speller::{Field, FieldValue, Fields, FrontEnd};
 
 /// Text of the button with which a user answers a question.
 const ANSWER_BUTTON: &str = "“This is correct: continue”";
@@ -41,7 +41,7 @@ impl Dialect for Page {
     }
 }
 
-impl Speller for Page {
+impl FrontEnd for Page {
     /// The action, and the fields with their values; without the model, because the model is already open in the page.
     fn request(&self, request: &Request) -> String {
         let fields = Fields::of(request);
@@ -86,8 +86,6 @@ fn spelled_value(value: &FieldValue) -> String {
         value => value.text(),
     }
 }
-
-impl FrontEnd for Page {}
 
 #[cfg(test)]
 mod tests {

@@ -6,7 +6,7 @@ use osim_model::messages::{Call, Dialect, Example, Input, Verb};
 
 use crate::register::{FieldGroup, is_flag, option_named};
 use crate::request::Request;
-use crate::spell::speller::{Field, FieldValue, Fields, FrontEnd, Speller, digits, is_positional};
+use crate::spell::speller::{Field, FieldValue, Fields, FrontEnd, digits, is_positional};
 
 /// The first line of every script.
 const IMPORT_LINE: &str = "import osim_contact_scale as ocs";
@@ -58,7 +58,7 @@ impl Dialect for Python {
     }
 }
 
-impl Speller for Python {
+impl FrontEnd for Python {
     /// The Python call: it plans the change of one model, changes many models, or returns a result. If the request names an
     /// output file, the call writes it.
     fn request(&self, request: &Request) -> String {
@@ -208,8 +208,6 @@ fn is_path(name: &str) -> bool {
 fn file_word(name: &str) -> Cow<'_, str> {
     if name.starts_with('~') { format!("./{name}").into() } else { name.into() }
 }
-
-impl FrontEnd for Python {}
 
 fn function_call(verb: Verb, arguments: &[String]) -> String {
     let name = match verb {

@@ -1,4 +1,4 @@
-//! The traits of a language that spells requests, and the fields of a request for all languages.
+//! The trait of a language that spells requests, and the fields of a request for all languages.
 
 use osim_model::Property;
 use osim_model::messages::{Call, Dialect, Input, Verb, shortest};
@@ -7,14 +7,14 @@ use serde_json::{Map, Number, Value};
 use crate::register::{FieldGroup, option_named};
 use crate::request::{Request, verb_entry};
 
-/// A language that spells inputs, calls and whole requests.
+/// A front end, or another language that spells inputs, calls and whole requests.
 ///
 /// Texts are unchanged, within the quotation marks of the language. A file name gets `./` before it if the language would take it
 /// for something else. A name that is not UTF-8 contains U+FFFD, so that its call cannot be copied.
 ///
 /// ```
 /// use osim_requests::Request;
-/// use osim_requests::spell::{CommandLine, Matlab, Python, Speller};
+/// use osim_requests::spell::{CommandLine, FrontEnd, Matlab, Python};
 ///
 /// let request = br#"{"verb": "rescale", "models": "human.osim", "target_mass": 500}"#;
 /// let request = Request::from_json(request)?;
@@ -23,7 +23,7 @@ use crate::request::{Request, verb_entry};
 /// assert_eq!(Matlab.request(&request), "osimcontact.rescale('human.osim', 'TargetMass', 500)");
 /// # Ok::<(), osim_requests::RequestFault>(())
 /// ```
-pub trait Speller: Dialect {
+pub trait FrontEnd: Dialect {
     /// A request as the reader would type it.
     fn request(&self, request: &Request) -> String;
 
@@ -31,12 +31,7 @@ pub trait Speller: Dialect {
     fn script(&self, request: &Request) -> String {
         self.request(request)
     }
-}
 
-// What a front end spells beyond requests and sentences.
-
-/// A front end: a language that also spells calls on a line of their own.
-pub trait FrontEnd: Speller {
     /// A call on a line of its own, for copying: on a command line it begins with the name of the program.
     fn command(&self, call: &Call) -> String {
         self.call(call)
