@@ -4,29 +4,10 @@ use contact_scaling::drop_test::{DropTest, DropValues};
 use contact_scaling::{Contact, ContactValues, DomainError, Law, Spheres, equilibrium, limits, restitution};
 use osim_model::files::Failure;
 use osim_model::messages::{Input, phrase};
-use osim_requests::{DropHeight, PlotRequest, Positive, QuantityChoice};
+use osim_requests::options::FallOptions;
+use osim_requests::{Positive, QuantityChoice};
 
 use crate::series::{CarriedWeight, ContactBody, Point, SphereKind, impact_speed};
-
-/// The quantity that a heat map shows, and the fall from which it is computed.
-#[derive(Debug, Clone, PartialEq)]
-pub struct HeatRequest {
-    pub quantity: QuantityChoice,
-    /// The height from which the body falls.
-    pub height: DropHeight,
-    /// How long the fall is computed, s; `None`: until well after the impact.
-    pub duration_s: Option<f64>,
-}
-
-impl From<&PlotRequest> for HeatRequest {
-    fn from(request: &PlotRequest) -> Self {
-        Self {
-            quantity: request.heat.quantity,
-            height: request.fall.height,
-            duration_s: request.fall.duration.map(Positive::get),
-        }
-    }
-}
 
 /// A quantity over stiffness (x, N/m²) and dissipation (y, s/m).
 #[derive(Debug, Clone, PartialEq)]
@@ -90,7 +71,8 @@ fn only_kind(body: &ContactBody) -> Result<&SphereKind, Failure> {
 /// The body has several contacts, its weight is not known, or its contact has no dissipation to multiply.
 pub fn heat(
     body: &ContactBody,
-    request: &HeatRequest,
+    quantity: QuantityChoice,
+    fall: &FallOptions,
     x: impl FnOnce(f64) -> Vec<f64>,
     y: impl FnOnce(f64) -> Vec<f64>,
 ) -> Result<HeatSeries, Failure> {
@@ -104,7 +86,7 @@ pub fn heat(
         ];
         return Err(Failure::outside(&body.name, "plot", message));
     }
-    let sweep = HeatSweep::new(body, kind, request)?;
+    let sweep = HeatSweep::new(body, kind, quantity, fall)?;
     let row = |dissipation: &f64| x.iter().map(|stiffness| sweep.value(*stiffness, *dissipation)).collect();
     let values: Vec<Vec<Option<f64>>> = y.iter().map(row).collect();
     let limit = sweep.limit_of_quantity();
@@ -148,15 +130,20 @@ struct HeatSweep<'s> {
 }
 
 impl<'s> HeatSweep<'s> {
-    fn new(body: &'s ContactBody, kind: &'s SphereKind, request: &HeatRequest) -> Result<Self, Failure> {
+    fn new(
+        body: &ContactBody,
+        kind: &'s SphereKind,
+        quantity: QuantityChoice,
+        fall: &FallOptions,
+    ) -> Result<Self, Failure> {
         let &CarriedWeight { mass_kg, gravity_m_s2, sphere_count, .. } = body.weight()?;
-        let height_m = request.height.metres(kind.radius_m);
-        let impact_speed_m_s = impact_speed(body, kind, request.height)?;
+        let height_m = fall.height.metres(kind.radius_m);
+        let impact_speed_m_s = impact_speed(body, kind, fall.height)?;
         // Until well after the impact, even of a soft contact.
         let until = 10.0 * (kind.radius_m / gravity_m_s2).sqrt() + impact_speed_m_s / gravity_m_s2;
-        let duration_s = request.duration_s.unwrap_or(until);
+        let duration_s = fall.duration.map_or(until, Positive::get);
         let values = DropValues { mass_kg, gravity_m_s2, height_m, duration_s, samples: 2 };
-        Ok(Self { kind, quantity: request.quantity, sphere_count, values, impact_speed_m_s })
+        Ok(Self { kind, quantity, sphere_count, values, impact_speed_m_s })
     }
 
     /// The spheres of the body with another stiffness and dissipation.

@@ -10,4 +10,4 @@ pub use curves::{
     contact_state, curve_name, default_duration, default_range, drop_force, force, force_at_rest, hysteresis,
     impact_speed, run_drop_test, thresholds,
 };
-pub use heat::{HeatParameter, HeatRequest, HeatSeries, Profile, heat};
+pub use heat::{HeatParameter, HeatSeries, Profile, heat};

@@ -2,11 +2,12 @@
 
 use contact_plots::{Axis, Curve, Drawing, Figure, HeatLimit, HeatMap, Limit, Look, Mark, Panel, Point};
 use contact_scaling::limits;
-use osim_inspect::series::{self, ContactBody, HeatParameter, HeatRequest, Profile};
+use osim_inspect::series::{self, ContactBody, HeatParameter, Profile};
 use osim_model::files::Failure;
 use osim_model::messages::{Input, phrase};
 use osim_planning::HeatTable;
 use osim_requests::QuantityChoice;
+use osim_requests::options::FallOptions;
 
 use crate::figures::axes::plot_failure;
 
@@ -17,7 +18,8 @@ use crate::figures::axes::plot_failure;
 /// There are several bodies or contacts, the weight is not known, or the dissipation is 0 and has no multiples.
 pub fn heat(
     bodies: &[ContactBody],
-    request: &HeatRequest,
+    quantity: QuantityChoice,
+    fall: &FallOptions,
     stiffness: impl FnOnce(f64) -> Vec<f64>,
     dissipation: impl FnOnce(f64) -> Vec<f64>,
     wanted_title: Option<&str>,
@@ -26,8 +28,8 @@ pub fn heat(
         let why = phrase!["a sweep is about one body: name one model, without ", Input::TargetMass];
         return Err(plot_failure(bodies, why));
     };
-    let series = series::heat(body, request, stiffness, dissipation)?;
-    let words = QuantityWords::of_quantity(request.quantity);
+    let series = series::heat(body, quantity, fall, stiffness, dissipation)?;
+    let words = QuantityWords::of_quantity(quantity);
     let title = wanted_title.map_or_else(|| format!("{}: {}", words.title, body.name), str::to_owned);
     if let Some(profile) = series.profile {
         return Ok(Drawing::Panels(curve_figure(profile, series.limit, &words, title, &body.name)));

@@ -20,7 +20,7 @@ mod motion;
 pub mod paper;
 
 use contact_plots::{Datum, Drawing, Paper, PlotError};
-use osim_inspect::series::{ContactBody, HeatRequest};
+use osim_inspect::series::ContactBody;
 use osim_model::files::{Failure, Files};
 use osim_model::messages::{Dialect, Input, Phrase, phrase, shortest, terminal_safe};
 use osim_planning::{HeatTable, cell, plot_bodies, plot_feet, plot_motion};
@@ -110,7 +110,8 @@ fn drawing_of_bodies(
         Some(PlotKind::Sweep) => {
             let (stiffness, dissipation) = (request.heat.stiffness, request.heat.dissipation);
             let values = |grid: osim_requests::Grid| move |now| grid.values(now);
-            return heat(bodies, &HeatRequest::from(request), values(stiffness), values(dissipation), title);
+            let (quantity, fall) = (request.heat.quantity, &request.fall);
+            return heat(bodies, quantity, fall, values(stiffness), values(dissipation), title);
         }
         Some(PlotKind::Fig1) => {
             return Err(Failure::outside("Fig. 1", "plot", no_fig1()));

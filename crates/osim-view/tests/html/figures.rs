@@ -2,7 +2,8 @@
 
 use contact_plots::{Drawing, Figure, Paper, figure};
 use osim_inspect::InspectOptions;
-use osim_inspect::series::{ContactBody, HeatRequest};
+use osim_inspect::series::ContactBody;
+use osim_requests::options::FallOptions;
 use osim_requests::spell::{CommandLine, Python};
 use osim_requests::{AxesChoice, DropHeight, QuantityChoice};
 use osim_view::figures;
@@ -124,20 +125,21 @@ fn drops_stand_over_seconds_and_over_time_without_dimensions() {
 
 #[test]
 fn a_heat_map_is_about_one_body() {
-    let request =
-        HeatRequest { quantity: QuantityChoice::Restitution, height: DROP_HEIGHT, duration_s: None };
+    let restitution = QuantityChoice::Restitution;
+    let fall = FallOptions { height: DROP_HEIGHT, duration: None };
     let axis = |now: f64| vec![0.5 * now, now, 2.0 * now];
     let one = [body_called("mouse_smooth_sphere")];
     // Stiffness does not change the restitution of an impact without gravity: a curve over the dissipation.
-    let Ok(Drawing::Panels(curve)) = figures::heat(&one, &request, axis, axis, None) else { panic!() };
+    let curve = figures::heat(&one, restitution, &fall, axis, axis, None);
+    let Ok(Drawing::Panels(curve)) = curve else { panic!() };
     assert_eq!(curve.title, "Restitution: mouse_smooth_sphere");
     assert_eq!(curve.panels[0].x.label, "dissipation α (s/m)");
     assert_eq!(curve.panels[0].limits[0].label, "0.8 by (13), limit of the Hunt–Crossley law");
-    let peak = HeatRequest { quantity: QuantityChoice::PeakForce, ..request.clone() };
-    let Ok(Drawing::HeatMap(map)) = figures::heat(&one, &peak, axis, axis, None) else { panic!() };
+    let peak = QuantityChoice::PeakForce;
+    let Ok(Drawing::HeatMap(map)) = figures::heat(&one, peak, &fall, axis, axis, None) else { panic!() };
     assert_eq!((map.x.len(), map.values.len()), (3, 3));
     let two = [body_called("mouse_smooth_sphere"), body_called("horse_smooth_sphere")];
-    let failure = figures::heat(&two, &request, axis, axis, None).unwrap_err();
+    let failure = figures::heat(&two, restitution, &fall, axis, axis, None).unwrap_err();
     assert_eq!(&*failure.model, "mouse_smooth_sphere, horse_smooth_sphere");
     assert_eq!(
         failure.message.spelled(&CommandLine),
