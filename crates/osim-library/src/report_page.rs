@@ -14,8 +14,8 @@ use osim_planning::BeforeAfter;
 use osim_requests::options::RunOptions;
 use osim_requests::spell::FrontEnd;
 use osim_view::html::{
-    ChangedModelOnPage, Columns, DeferredParts, DeferredText, DetailLevel, EarlierRun, Entry, GENERATOR,
-    NamedDigest, Page, PageHead, RowError, RunRow,
+    ChangedModelOnPage, Columns, DeferredParts, DeferredText, DetailLevel, Entry, GENERATOR, NamedDigest,
+    Page, PageHead, RunRow,
 };
 
 use crate::file_access::read_head;
@@ -179,22 +179,16 @@ pub fn entry_of_change(
 
 /// The entry on the report page of a model of which only its line in the summary is known.
 pub fn entry_of_record(record: &Record, earlier: bool) -> Entry {
-    if !earlier {
-        let error = record.error_code.as_ref().zip(record.error.as_ref());
-        let error = error.map(|(code, message)| {
-            let (code, message) = (code.clone(), message.clone());
-            RowError { code, message, line: record.line, column: record.column }
-        });
-        return Entry::of_row(&row_of_record(record), error.as_ref());
+    let row = row_of_record(record);
+    if earlier {
+        let factors = [record.radius_factor, record.stiffness_factor, record.dissipation_factor];
+        let findings = record.findings.split_ascii_whitespace().count();
+        return Entry::of_earlier_run(&row, factors, &record.unequal_factors, findings);
     }
-    let left = EarlierRun {
-        radius_factor: record.radius_factor,
-        stiffness_factor: record.stiffness_factor,
-        dissipation_factor: record.dissipation_factor,
-        unequal_factors: record.unequal_factors.split(' ').map(str::to_owned).collect(),
-        findings: record.findings.split_ascii_whitespace().count(),
-    };
-    Entry::of_earlier_record(&row_of_record(record), &left)
+    match (&record.error_code, &record.error) {
+        (Some(code), Some(error)) => Entry::failed_row(&row, code, error, (record.line, record.column)),
+        _ => Entry::of_row(&row),
+    }
 }
 
 /// The row of the page for a line of the summary.

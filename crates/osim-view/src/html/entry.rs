@@ -95,39 +95,32 @@ impl Entry {
         Self { earlier: true, ..self }
     }
 
-    /// The entry of a model that an earlier run has changed, from its line in the summary of that run.
-    pub fn of_earlier_record(row: &RunRow, earlier: &EarlierRun) -> Self {
-        let factor = |factor: Option<f64>, property: Property| {
+    /// The entry of a model that an earlier run has changed, from its line in the summary of that run: new over old radius, stiffness and
+    /// dissipation, OpenSim's names of properties for which this ratio differs between contacts, and the number of different codes of findings.
+    pub fn of_earlier_run(row: &RunRow, factors: [Option<f64>; 3], unequal: &str, findings: usize) -> Self {
+        let factor = |(factor, property): (Option<f64>, Property)| {
             let second_line = match factor {
                 Some(factor) => format!("×{}", four_significant(factor)),
-                None if earlier.unequal_factors.iter().any(|name| name == property.name()) => {
-                    UNEQUAL_WORD.to_owned()
-                }
+                None if unequal.split(' ').any(|name| name == property.name()) => UNEQUAL_WORD.to_owned(),
                 None => String::new(),
             };
             Cell { second_line, ..Cell::default() }
         };
         let mut cells = row.cells();
-        cells.extend([
-            factor(earlier.radius_factor, Property::Radius),
-            factor(earlier.stiffness_factor, Property::Stiffness),
-            factor(earlier.dissipation_factor, Property::Dissipation),
-            Cell::default(),
-            cell_of_count(earlier.findings),
-        ]);
+        cells.extend(factors.into_iter().zip(PROPERTIES_SHOWN).map(factor));
+        cells.extend([Cell::default(), cell_of_count(findings)]);
         Self { cells, earlier: true, ..Self::with_outcome_only(&row.name(), row.status.clone()) }
     }
 
-    /// The entry of a model in a run, from its row alone. If the model failed, with the error.
-    pub fn of_row(row: &RunRow, failed: Option<&RowError>) -> Self {
-        let outcome = match failed {
-            Some(failed) => {
-                format!("{}: {}{}", row.status, place_in_words(failed.line, failed.column), failed.message)
-            }
-            None => row.status.clone(),
-        };
-        let error = failed.and_then(|failed| error(&failed.code));
-        Self { error, failed: failed.is_some(), ..Self::with_outcome_only(&row.name(), outcome) }
+    /// The entry of a model in a run, from its row alone.
+    pub fn of_row(row: &RunRow) -> Self {
+        Self::with_outcome_only(&row.name(), row.status.clone())
+    }
+
+    /// The entry of a model that failed in a run: with the code, the message, and the line and column of the error, from 1.
+    pub fn failed_row(row: &RunRow, code: &str, message: &str, at: (Option<usize>, Option<usize>)) -> Self {
+        let outcome = format!("{}: {}{message}", row.status, place_in_words(at.0, at.1));
+        Self { error: error(code), failed: true, ..Self::with_outcome_only(&row.name(), outcome) }
     }
 
     /// The entry of a model that could not be read.
@@ -244,33 +237,6 @@ pub struct RunRow {
     pub target_mass_kg: Option<f64>,
     /// Number of values and sphere locations that the run changed in the model.
     pub changes: usize,
-}
-
-/// The numbers about a model in the summary of an earlier run.
-#[derive(Debug, Clone, Default, PartialEq)]
-pub struct EarlierRun {
-    /// New radius over old radius, if the ratio is the same in all contacts.
-    pub radius_factor: Option<f64>,
-    /// New stiffness over old stiffness, if the ratio is the same in all contacts.
-    pub stiffness_factor: Option<f64>,
-    /// New dissipation over old dissipation, if the ratio is the same in all contacts.
-    pub dissipation_factor: Option<f64>,
-    /// OpenSim's names of the properties for which this ratio differs between contacts.
-    pub unequal_factors: Vec<String>,
-    /// Number of different codes of findings.
-    pub findings: usize,
-}
-
-/// The error of a model that could not be read or changed.
-#[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub struct RowError {
-    pub code: String,
-    /// The message in the words of the front end.
-    pub message: String,
-    /// Line of the error in the file, from 1.
-    pub line: Option<usize>,
-    /// Column of the error in the file, from 1.
-    pub column: Option<usize>,
 }
 
 impl RunRow {

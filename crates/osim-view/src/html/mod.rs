@@ -46,7 +46,7 @@ use crate::html::overview::PageCounts;
 use crate::html::special_models::{ChosenModels, MOST_DRAWN_MODELS};
 
 pub use change::{ChangedModelOnPage, entry_of_changed_model};
-pub use entry::{EarlierRun, Entry, RowError, RunRow};
+pub use entry::{Entry, RunRow};
 pub use fragment::{DetailLevel, Section};
 pub use inspected::{InspectedModelOnPage, ListedFiles, NamedDigest, entry_of_inspected_model};
 pub use models_table::Columns;

@@ -6,9 +6,8 @@ use osim_model::messages::Verb;
 use osim_planning::{BeforeAfter, ModelFeet};
 use osim_requests::spell::{CommandLine, FrontEnd, Python};
 use osim_view::html::{
-    ChangedModelOnPage, Columns, DeferredParts, DetailLevel, EarlierRun, Entry, InspectedModelOnPage,
-    ListedFiles, NamedDigest, Page, PageHead, RowError, RunRow, entry_of_changed_model,
-    entry_of_inspected_model,
+    ChangedModelOnPage, Columns, DeferredParts, DetailLevel, Entry, InspectedModelOnPage, ListedFiles,
+    NamedDigest, Page, PageHead, RunRow, entry_of_changed_model, entry_of_inspected_model,
 };
 
 use crate::support::{self, open, rescaled};
@@ -192,7 +191,7 @@ fn a_page_says_what_it_leaves_out_only_where_it_does() {
 
 #[test]
 fn names_may_be_broken_at_folders() {
-    let row = |name: &str| Entry::of_row(&RunRow::new(name, "unchanged"), None);
+    let row = |name: &str| Entry::of_row(&RunRow::new(name, "unchanged"));
     let text = page_text(head_of_changes(None), &CommandLine, [row("a/b<c>.osim"), row(r"C:\models\d.osim")]);
     assert!(
         text.contains("a/<wbr>b&lt;c&gt;.osim") && text.contains(r"C:\<wbr>models\<wbr>d.osim"),
@@ -205,17 +204,11 @@ fn rows_say_what_became_of_models_that_are_not_shown() {
     let mut row = RunRow::new("a.osim", "written");
     row.row = Some(3);
     row.output = Some("b.osim".to_owned());
-    let earlier = EarlierRun {
-        stiffness_factor: Some(2.0),
-        unequal_factors: vec!["radius".to_owned()],
-        ..EarlierRun::default()
-    };
-    let (code, message) = ("no-mass".to_owned(), "body 'a' has no mass".to_owned());
-    let error = RowError { code, message, line: Some(4), column: Some(2) };
+    let failed = RunRow::new("c.osim", "failed");
     let entries = [
-        Entry::of_earlier_record(&row, &earlier),
-        Entry::of_row(&RunRow::new("c.osim", "failed"), Some(&error)),
-        Entry::of_row(&RunRow::new("d.osim", "not begun: the run was stopped"), None),
+        Entry::of_earlier_run(&row, [None, Some(2.0), None], "radius", 0),
+        Entry::failed_row(&failed, "no-mass", "body 'a' has no mass", (Some(4), Some(2))),
+        Entry::of_row(&RunRow::new("d.osim", "not begun: the run was stopped")),
         Entry::without_contacts("e.osim"),
     ];
     let text = page_text(head_of_changes(None), &CommandLine, entries);
