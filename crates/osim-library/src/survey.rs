@@ -1,5 +1,6 @@
 //! Inspects or checks many models in one call: makes the result, the text and the entry on the report page for each.
 
+use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
@@ -14,6 +15,7 @@ use osim_view::report::check::{self, LibraryTable};
 use osim_view::report::extent::Layout;
 use osim_view::report::inspection::{self, ModelsTable};
 
+use crate::file_access::FileKinds;
 use crate::paths::refuse_file_as_folder;
 use crate::report_page::{ReportPage, Words};
 use crate::run::{ModelToFix, NOTHING_WRITTEN, PathConflicts, ResultDestination};
@@ -199,7 +201,8 @@ impl Survey<'_> {
             let compiled = folders
                 .filter(|_| is_file)
                 .and_then(|known| known.compiled_model_beside_output(&source.path));
-            let files = MemoryFirst { memory: self.memory, disk: &Disk };
+            let (memory, kinds) = (self.memory, FileKinds::Streams);
+            let files = MemoryFirst { memory, kinds, stamps: RefCell::default() };
             self.inspector.check(&opened.model, &inspection, compiled.as_ref(), &files)
         });
         let (mut check_result, mut written) = (check_result, None);

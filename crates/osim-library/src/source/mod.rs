@@ -70,36 +70,6 @@ impl Files for OrdinaryFiles {
     }
 }
 
-/// Reads files from the disk, and keeps the metadata that each file had when it was read, to notice later changes by other programs.
-struct StampedDisk {
-    kinds: FileKinds,
-    stamps: RefCell<HashMap<PathBuf, Metadata>>,
-}
-
-impl StampedDisk {
-    fn read_with_stamp(&self, path: &Path, kinds: FileKinds) -> Result<Vec<u8>, FileError> {
-        let (bytes, stamp) = read(path, kinds)?;
-        if let Some(stamp) = stamp {
-            self.stamps.borrow_mut().insert(path.to_owned(), stamp);
-        }
-        Ok(bytes)
-    }
-}
-
-impl Files for StampedDisk {
-    fn read(&self, path: &Path) -> Result<Vec<u8>, FileError> {
-        self.read_with_stamp(path, self.kinds)
-    }
-
-    fn read_included(&self, path: &Path) -> Result<Vec<u8>, FileError> {
-        self.read_with_stamp(path, FileKinds::Ordinary)
-    }
-
-    fn exists(&self, path: &Path) -> bool {
-        path.exists()
-    }
-}
-
 /// Reads a whole file, or standard input, which has no stamp.
 ///
 /// # Errors
@@ -142,8 +112,7 @@ impl LoadedModel {
         memory: &BTreeMap<PathBuf, Vec<u8>>,
     ) -> Result<Self, Failure> {
         let kinds = if source.named { FileKinds::Streams } else { FileKinds::Ordinary };
-        let stamped = StampedDisk { kinds, stamps: RefCell::default() };
-        let disk = MemoryFirst { memory, disk: &stamped };
+        let disk = MemoryFirst { memory, kinds, stamps: RefCell::default() };
         let unreadable = |error: FileError| {
             let near = if error == FileError::not_found() { similar_file(&source.path) } else { None };
             let message = near.map_or_else(
@@ -154,7 +123,7 @@ impl LoadedModel {
         };
         let bytes = disk.read(&source.path).map_err(unreadable)?;
         let files = ModelFiles::read(&source.path, bytes, set_files.companion_paths(), &disk)?;
-        Ok(Self::new(&source.path, files, stamped.stamps.into_inner()))
+        Ok(Self::new(&source.path, files, disk.stamps.into_inner()))
     }
 
     /// A model with the given `bytes` and the name `path`; `files` has the files beside the model.
@@ -185,20 +154,36 @@ impl LoadedModel {
 /// Reads a file from memory, or from the disk if memory has no file of this name.
 pub(crate) struct MemoryFirst<'m> {
     pub(crate) memory: &'m BTreeMap<PathBuf, Vec<u8>>,
-    pub(crate) disk: &'m dyn Files,
+    /// The kinds of files that may be named on the disk.
+    pub(crate) kinds: FileKinds,
+    /// The metadata that each file on the disk had when it was read, to notice later changes by other programs.
+    pub(crate) stamps: RefCell<HashMap<PathBuf, Metadata>>,
+}
+
+impl MemoryFirst<'_> {
+    fn read_with_stamp(&self, path: &Path, kinds: FileKinds) -> Result<Vec<u8>, FileError> {
+        if let Some(bytes) = self.memory.get(path) {
+            return Ok(bytes.clone());
+        }
+        let (bytes, stamp) = read(path, kinds)?;
+        if let Some(stamp) = stamp {
+            self.stamps.borrow_mut().insert(path.to_owned(), stamp);
+        }
+        Ok(bytes)
+    }
 }
 
 impl Files for MemoryFirst<'_> {
     fn read(&self, path: &Path) -> Result<Vec<u8>, FileError> {
-        self.memory.get(path).map_or_else(|| self.disk.read(path), |bytes| Ok(bytes.clone()))
+        self.read_with_stamp(path, self.kinds)
     }
 
     fn read_included(&self, path: &Path) -> Result<Vec<u8>, FileError> {
-        self.memory.get(path).map_or_else(|| self.disk.read_included(path), |bytes| Ok(bytes.clone()))
+        self.read_with_stamp(path, FileKinds::Ordinary)
     }
 
     fn exists(&self, path: &Path) -> bool {
-        self.memory.contains_key(path) || self.disk.exists(path)
+        self.memory.contains_key(path) || path.exists()
     }
 }
 
