@@ -240,12 +240,12 @@ impl Record {
         self.changes = plan.changes.len() + plan.moves.len();
         let mut unequal_factors = Vec::new();
         for property in Property::ALL {
-            let changed = PropertyChange::of_property(plan, property);
-            if changed.is_unequal {
+            let changed = common_numbers(plan, property);
+            if changed.is_some_and(|[.., factor]| factor.is_none()) {
                 unequal_factors.push(property.name());
             }
             if let Some([from, to, factor]) = self.columns_of(property) {
-                (*from, *to, *factor) = (changed.from, changed.to, changed.factor);
+                [*from, *to, *factor] = changed.unwrap_or_default();
             }
         }
         self.unequal_factors = unequal_factors.join(" ");
@@ -343,33 +343,16 @@ impl Record {
 /// Factors whose relative difference is smaller than this differ only by rounding.
 const ROUNDING_ERROR: f64 = 1e-12;
 
-/// Old value, new value and factor of a property in all contacts.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub(super) struct PropertyChange {
-    /// The old value, if it was the same in all contacts that change.
-    pub(super) from: Option<f64>,
-    /// The new value, if it is the same in all contacts that change.
-    pub(super) to: Option<f64>,
-    /// The factor from the old to the new value, if it is the same in all contacts.
-    pub(super) factor: Option<f64>,
-    /// Whether the contacts of the model have different factors for this property.
-    is_unequal: bool,
-}
-
-impl PropertyChange {
-    /// The common old value, new value and factor of a property in all changes of a plan; empty where they differ.
-    pub(super) fn of_property(plan: &Plan, property: Property) -> Self {
-        let changes: Vec<&NumberChange> =
-            plan.changes.iter().filter(|change| change.property == property).collect();
-        let Some(first) = changes.first() else { return Self::default() };
-        let common = |value: fn(&NumberChange) -> f64| {
-            let first = value(first);
-            changes.iter().all(|change| value(change) == first).then_some(first)
-        };
-        let factor = common_factor(&changes);
-        let (from, to) = (common(|change| change.from), common(|change| change.to));
-        Self { from, to, factor, is_unequal: factor.is_none() }
-    }
+/// The old value, the new value and the factor of a property, each if it is the same in all contacts that change; `None` if none changes.
+fn common_numbers(plan: &Plan, property: Property) -> Option<[Option<f64>; 3]> {
+    let changes: Vec<&NumberChange> =
+        plan.changes.iter().filter(|change| change.property == property).collect();
+    let first = changes.first()?;
+    let common = |value: fn(&NumberChange) -> f64| {
+        let first = value(first);
+        changes.iter().all(|change| value(change) == first).then_some(first)
+    };
+    Some([common(|change| change.from), common(|change| change.to), common_factor(&changes)])
 }
 
 /// The factor that all changes have in common; `None` if they differ.

@@ -90,9 +90,8 @@ pub(super) struct PreparedFiles<'w> {
     opened: &'w OpenModel,
     origin: &'w ModelOrigin,
     backups: Vec<PendingFile>,
-    replacements: Vec<(FileId, PendingFile)>,
-    /// The backup of the old file of each of the `replacements`, in the same order.
-    backup_paths: Vec<Option<PathBuf>>,
+    /// Each new file, and the backup of the old one.
+    replacements: Vec<(FileId, PendingFile, Option<PathBuf>)>,
     paths: Vec<PathBuf>,
     backups_of_user: Vec<PathBuf>,
 }
@@ -115,7 +114,6 @@ impl<'w> PreparedFiles<'w> {
             origin,
             backups: vec![],
             replacements: vec![],
-            backup_paths: vec![],
             paths: vec![],
             backups_of_user: vec![],
         };
@@ -132,7 +130,7 @@ impl<'w> PreparedFiles<'w> {
     /// Prepares the new file at `path`, which is made from one of the model's files.
     fn prepare_file(&mut self, path: &Path, patch: &Patch<'_>, file: FileId, mode: WriteMode) -> Result<()> {
         let settings = &self.task.settings;
-        let mut backup_paths = None;
+        let mut backup = None;
         if settings.in_place {
             self.refuse_write_protected(path)?;
             if !settings.no_backup {
@@ -141,7 +139,7 @@ impl<'w> PreparedFiles<'w> {
                     fault.with_context("the backup could not be kept, so nothing was changed")
                 })?;
                 self.backups.extend(prepared);
-                backup_paths = Some(backups_of_user.clone());
+                backup = Some(backups_of_user.clone());
                 // The backup is shown beside the name that the user gave, unless that is a link.
                 let beside = backups_of_user.file_name().filter(|_| !path.is_symlink());
                 self.backups_of_user
@@ -151,8 +149,7 @@ impl<'w> PreparedFiles<'w> {
         make_folder_of(path)?;
         let mode = if settings.in_place { WriteMode::InPlace } else { mode };
         let like = self.origin.stamp_of(file);
-        self.replacements.push((file, PendingFile::with_parts(path, patch.parts(), like, mode)?));
-        self.backup_paths.push(backup_paths);
+        self.replacements.push((file, PendingFile::with_parts(path, patch.parts(), like, mode)?, backup));
         self.paths.push(path.to_owned());
         Ok(())
     }
@@ -175,7 +172,7 @@ impl<'w> PreparedFiles<'w> {
     /// Another program changed the model in the meantime, or a folder cannot be changed.
     pub(super) fn commit(self, results: &ResultBytes<'_>) -> Result<WrittenOutput> {
         // Bytes reach the disk before names change, if two files belong together or a file is replaced.
-        let replacements = || self.replacements.iter().map(|(_, prepared)| prepared);
+        let replacements = || self.replacements.iter().map(|(_, prepared, _)| prepared);
         if self.replacements.len() > 1 || replacements().any(PendingFile::replaces) {
             self.backups.iter().chain(replacements()).try_for_each(PendingFile::sync)?;
         }
@@ -191,15 +188,15 @@ impl<'w> PreparedFiles<'w> {
         }
         if self.task.settings.in_place {
             let replacement =
-                |((file, prepared), backup): ((FileId, PendingFile), Option<PathBuf>)| ReplacementFile {
+                |(file, prepared, backup): (FileId, PendingFile, Option<PathBuf>)| ReplacementFile {
                     prepared,
                     read_bytes: self.opened.model.file(file).bytes(),
                     written_bytes: results.parts_of(file),
                     backup,
                 };
-            exchange_all(self.replacements.into_iter().zip(self.backup_paths).map(replacement))?;
+            exchange_all(self.replacements.into_iter().map(replacement))?;
         } else {
-            for (_, prepared) in self.replacements {
+            for (_, prepared, _) in self.replacements {
                 prepared.commit()?;
             }
         }
