@@ -1,6 +1,7 @@
 //! Reading the bytes of files from any source; and the names of files.
 
 use std::collections::BTreeMap;
+use std::ffi::OsStr;
 use std::fmt;
 use std::ops::Deref;
 use std::path::{Component, Path, PathBuf};
@@ -63,28 +64,17 @@ impl fmt::Display for FileName {
     }
 }
 
-impl From<&Path> for FileName {
-    fn from(path: &Path) -> Self {
-        let bytes = path.to_str().is_none().then(|| path.as_os_str().as_encoded_bytes().into());
-        Self { text: path.to_string_lossy().into_owned(), bytes }
+impl<N: AsRef<OsStr> + ?Sized> From<&N> for FileName {
+    fn from(name: &N) -> Self {
+        let name = name.as_ref();
+        let bytes = name.to_str().is_none().then(|| name.as_encoded_bytes().into());
+        Self { text: name.to_string_lossy().into_owned(), bytes }
     }
 }
 
 impl From<String> for FileName {
     fn from(text: String) -> Self {
         Self { text, bytes: None }
-    }
-}
-
-impl From<&str> for FileName {
-    fn from(text: &str) -> Self {
-        text.to_owned().into()
-    }
-}
-
-impl From<&String> for FileName {
-    fn from(text: &String) -> Self {
-        text.as_str().into()
     }
 }
 
