@@ -18,6 +18,7 @@ use osim_view::html::{
 use osim_view::report::json::PlanRecord;
 use osim_view::report::plan::unified_diff;
 use serde::Serialize;
+use serde_json::{Value, json};
 
 use crate::given_files::GivenFiles;
 use crate::opened_model::{FindingShown, OpenedModel, VerdictWithQuestion, sha256};
@@ -52,11 +53,12 @@ pub(crate) struct NewFile {
 
 /// A change as the page shows it.
 #[derive(Debug, Serialize)]
-pub(crate) struct ChangeShown<'p> {
+pub(crate) struct ChangeShown {
     record: PlanRecord,
     /// Whether the plan changes nothing in the model.
     unchanged: bool,
-    results: Vec<ResultShown<'p>>,
+    /// The name and the size of each file that the change makes.
+    results: Vec<Value>,
     sections: Vec<Section>,
     explained: Vec<Explained>,
     /// Findings of the model after the change, where they were asked for.
@@ -67,13 +69,6 @@ pub(crate) struct ChangeShown<'p> {
     scene: Option<Scene>,
     /// Falls on the contacts before and after the change, where they were asked for.
     falls: Vec<BodyFall>,
-}
-
-/// The name and the size of a file that a change makes.
-#[derive(Debug, Serialize)]
-struct ResultShown<'p> {
-    name: &'p str,
-    bytes: usize,
 }
 
 impl PlannedChange {
@@ -168,7 +163,7 @@ impl PlannedChange {
         &self,
         wanted: Option<&[String]>,
         given_files: &GivenFiles,
-    ) -> Result<ChangeShown<'_>, Problem> {
+    ) -> Result<ChangeShown, Problem> {
         let wants = |id: &str| wanted.is_none_or(|wanted| wanted.iter().any(|one| one == id));
         let quick =
             wanted.is_some_and(|wanted| wanted.iter().all(|one| QUICK_SECTIONS.contains(&one.as_str())));
@@ -186,9 +181,8 @@ impl PlannedChange {
                 (Sections::of_change(changed, wanted, self.words), findings, verdicts)
             }
         };
-        let results = self.results.iter().map(|made| ResultShown {
-            name: made.name.to_str().unwrap_or_default(),
-            bytes: made.bytes.len(),
+        let results = self.results.iter().map(|made| {
+            json!({ "name": made.name.to_str().unwrap_or_default(), "bytes": made.bytes.len() })
         });
         Ok(ChangeShown {
             record: PlanRecord::new(&self.plan, &self.opened.model.model, &self.opened.path, None, None),
@@ -252,28 +246,20 @@ impl PlannedChange {
 
 // Reports, as the command writes them: in its words, because a report says by which command it is made again.
 
-/// A report for the page to download.
-#[derive(Debug, Serialize)]
-pub(crate) struct Report {
-    name: String,
-    html: String,
-}
-
 /// The name of a report about the model `path`.
 pub(crate) fn report_name(path: &Path) -> String {
     path.with_extension("report.html").display().to_string()
 }
 
-impl Report {
-    /// The report about one model; `command` is the call of the command that writes the same report.
-    pub(crate) fn of(verb: Verb, model: &Path, command: String, entry: Entry) -> Result<Self, Problem> {
-        let columns = if verb == Verb::Inspect { Columns::Inspections } else { Columns::Changes };
-        let head = PageHead { verb, model: Some(model.display().to_string()), columns, call: command };
-        let mut page = Page::new(head, DeferredParts::<String>::default(), &CommandLine);
-        page.add(entry);
-        let mut bytes = Vec::new();
-        page.finish(&mut bytes).map_err(Problem::defect)?;
-        let html = String::from_utf8(bytes).map_err(Problem::defect)?;
-        Ok(Self { name: report_name(model), html })
-    }
+/// The report about one model for the page to download, its name and its text; `command` is the call of the command that writes the same
+/// report.
+pub(crate) fn report(verb: Verb, model: &Path, command: String, entry: Entry) -> Result<Value, Problem> {
+    let columns = if verb == Verb::Inspect { Columns::Inspections } else { Columns::Changes };
+    let head = PageHead { verb, model: Some(model.display().to_string()), columns, call: command };
+    let mut page = Page::new(head, DeferredParts::<String>::default(), &CommandLine);
+    page.add(entry);
+    let mut bytes = Vec::new();
+    page.finish(&mut bytes).map_err(Problem::defect)?;
+    let html = String::from_utf8(bytes).map_err(Problem::defect)?;
+    Ok(json!({ "name": report_name(model), "html": html }))
 }

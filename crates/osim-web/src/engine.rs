@@ -10,12 +10,12 @@ use osim_requests::Request;
 use osim_requests::options::SetFiles;
 use osim_requests::spell::{CommandLine, FrontEnd, Page};
 use serde::Serialize;
-use serde_json::json;
+use serde_json::{Value, json};
 use wasm_bindgen::prelude::wasm_bindgen;
 
-use crate::change::{PlannedChange, Report, report_name};
+use crate::change::{self, PlannedChange, report_name};
 use crate::given_files::GivenFiles;
-use crate::knowledge::{self, EngineCall, Fields, SpelledCalls};
+use crate::knowledge::{self, EngineCall, Fields};
 use crate::opened_model::{self, OpenedModel};
 use crate::problem::Problem;
 use crate::recording::{CorrectedRecording, play_recording};
@@ -134,7 +134,9 @@ impl Engine {
             EngineCall::Calculate { request } => {
                 ok_answer(knowledge::calculate(&Request::from_map(request)?)?)
             }
-            EngineCall::Spell { request } => ok_answer(SpelledCalls::of(&Request::from_map(request)?)),
+            EngineCall::Spell { request } => {
+                ok_answer(knowledge::spelled_calls(&Request::from_map(request)?))
+            }
             EngineCall::Animals => ok_answer(AnimalFall::all().map_err(Problem::defect)?),
             EngineCall::Explain { topic } => ok_answer(json!({ "text": knowledge::explain(&topic)? })),
             EngineCall::Presets { fields } => ok_answer(knowledge::presets(fields, &self.files)?),
@@ -183,7 +185,7 @@ impl Engine {
     }
 
     /// The same report that the command writes for these `fields` of a request.
-    fn report(&mut self, mut fields: Fields) -> Result<Report, Problem> {
+    fn report(&mut self, mut fields: Fields) -> Result<Value, Problem> {
         let request = Request::from_map(fields.clone())?;
         let verb = request.verb();
         if let Request::Inspect(request) = &request {
@@ -193,12 +195,12 @@ impl Engine {
             let inspector = Inspector::for_inspect(request, &self.files);
             let opened = self.open(path, &inspector.set_files)?;
             let entry = opened_model::entry(&inspector, &opened, &self.files, &CommandLine)?;
-            return Report::of(verb, path, report_command(&mut fields, path)?, entry);
+            return change::report(verb, path, report_command(&mut fields, path)?, entry);
         }
         let planned = self.plan(request, &CommandLine)?;
         let path = planned.path().to_owned();
         let entry = planned.entry(&self.files)?;
-        Report::of(verb, &path, report_command(&mut fields, &path)?, entry)
+        change::report(verb, &path, report_command(&mut fields, &path)?, entry)
     }
 }
 

@@ -1,31 +1,24 @@
 //! The calls that the web page can make, and answers that need no model: calculations, explanations, presets.
 
-use osim_planning::{DesignSheet, design_sheet, find_presets};
+use osim_planning::{design_sheet, find_presets};
 use osim_requests::Request;
 use osim_requests::spell::{CommandLine, FrontEnd, Matlab, Page, Python};
 use osim_view::report::explain::{Alphabet, answer};
 use osim_view::report::layout::WIDTH;
 use osim_view::report::results::{PresetRecord, design_sheet_text, preset_text};
 use serde::{Deserialize, Serialize};
-use serde_json::{Map, Value};
+use serde_json::{Map, Value, json};
 
 use crate::given_files::GivenFiles;
 use crate::problem::Problem;
 
-/// What `design` computes without a model.
-#[derive(Debug, Serialize)]
-pub(crate) struct Calculation {
-    sheet: DesignSheet,
-    text: String,
-}
-
-pub(crate) fn calculate(request: &Request) -> Result<Calculation, Problem> {
+/// What `design` computes without a model: its sheet, and the same as text.
+pub(crate) fn calculate(request: &Request) -> Result<Value, Problem> {
     let Request::Design(request) = request else {
         return Err(Problem::wrong_call("only a request for design calculates without a model"));
     };
     let sheet = design_sheet(request)?;
-    let text = design_sheet_text(&sheet, None);
-    Ok(Calculation { sheet, text })
+    Ok(json!({ "sheet": sheet, "text": design_sheet_text(&sheet, None) }))
 }
 
 /// A preset as the page shows it.
@@ -55,25 +48,14 @@ pub(crate) fn explain(topic: &str) -> Result<String, Problem> {
 
 // A request as calls that people can copy: of the command, of Python, of MATLAB.
 
-/// The three calls of one request. Each does what the request asks for: it reads the same models and writes the same files.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
-pub(crate) struct SpelledCalls {
-    /// The request as a line to type in a terminal.
-    command: String,
-    /// Lines of Python, from the import on.
-    python: String,
-    /// A line of MATLAB or GNU Octave.
-    matlab: String,
-}
-
-impl SpelledCalls {
-    pub(crate) fn of(request: &Request) -> Self {
-        Self {
-            command: CommandLine.script(request),
-            python: Python.script(request),
-            matlab: Matlab.script(request),
-        }
-    }
+/// The three calls of one request: a line for a terminal, lines of Python, a line of MATLAB or GNU Octave. Each does what the request
+/// asks for: it reads the same models and writes the same files.
+pub(crate) fn spelled_calls(request: &Request) -> Value {
+    json!({
+        "command": CommandLine.script(request),
+        "python": Python.script(request),
+        "matlab": Matlab.script(request),
+    })
 }
 
 // What the page may call.

@@ -13,7 +13,7 @@ use osim_requests::options::SetFiles;
 use osim_requests::spell::{FrontEnd, Page};
 use osim_view::html::{DetailLevel, Entry, Explained, InspectedModelOnPage, NamedDigest, Section, Sections};
 use serde::Serialize;
-use serde_json::{Map, Value};
+use serde_json::{Value, json};
 use sha2::{Digest, Sha256};
 
 use crate::given_files::GivenFiles;
@@ -85,16 +85,8 @@ pub(crate) struct InspectedModel {
 pub(crate) struct FindingShown {
     #[serde(flatten)]
     finding: Value,
-    remedy: Option<RemedyShown>,
-}
-
-/// A change that puts a finding right.
-#[derive(Debug, Serialize)]
-struct RemedyShown {
-    /// The remedy in words.
-    text: String,
-    /// The remedy as a request.
-    request: Map<String, Value>,
+    /// A change that puts the finding right, in words and as a request.
+    remedy: Option<Value>,
 }
 
 impl FindingShown {
@@ -104,7 +96,7 @@ impl FindingShown {
         let request = finding.remedy.as_ref().filter(|remedy| first == Some(remedy));
         let remedy = request
             .zip(finding.command.clone())
-            .map(|(request, text)| RemedyShown { text, request: request.to_map() });
+            .map(|(request, text)| json!({ "text": text, "request": request.to_map() }));
         let finding = serde_json::to_value(FindingRecord::from(finding)).unwrap_or_default();
         Self { finding, remedy }
     }
