@@ -7,7 +7,7 @@ use plotters::style::{Color, RGBColor};
 
 use crate::axis::{Axis, Scale, Ticks};
 use crate::document::{Area, MARGIN_PT, Paper, Title, document, text_allowed_in_xml};
-use crate::legend::{Legend, Sample, core_stroke, draw_cross, rim_stroke};
+use crate::legend::{Legend, Sample, core_stroke, draw_cross, draw_sample, rim_stroke};
 use crate::panels_svg::{AXIS_NAME_DISTANCE_PT, TICK_LABELS_HEIGHT_PT, TICK_LENGTH_PT, draw_axes};
 use crate::style::{INK, TEXT_PT, stroke, text, units};
 use crate::{PlotError, Point, Width};
@@ -73,7 +73,7 @@ pub fn heat_map(map: &HeatMap, paper: Paper) -> Result<String, PlotError> {
     document((paper, Width::Column), height_pt, &layout.title, [&map.title, &map.description], |root| {
         layout.draw_cells(root, map)?;
         layout.draw_bar(root, map)?;
-        layout.legend.draw(root, (MARGIN_PT + layout.beside_pt, layout.legend_top()))
+        layout.legend.draw(root, (MARGIN_PT + layout.beside_pt, layout.legend_top()), draw_sample)
     })
 }
 
@@ -105,7 +105,7 @@ struct HeatLayout {
     /// Room for the colour bar with its ticks and its label, pt.
     bar_room_pt: f64,
     bar_ticks: Ticks,
-    legend: Legend,
+    legend: Legend<Sample>,
 }
 
 impl HeatLayout {

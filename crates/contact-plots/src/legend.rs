@@ -31,16 +31,16 @@ pub(crate) enum Sample {
     Cell(RGBColor),
 }
 
-/// The entries of a legend, and their arrangement in columns.
+/// The entries of a legend with samples `S`, and their arrangement in columns.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Legend {
+pub(crate) struct Legend<S> {
     /// Each entry with the lines of its name.
-    entries: Vec<(Sample, Vec<String>)>,
+    entries: Vec<(S, Vec<String>)>,
     columns: usize,
     column_pt: f64,
 }
 
-impl Legend {
+impl Legend<Sample> {
     /// The legend of a figure's panels.
     pub(crate) fn of(figure: &Figure, room_pt: f64) -> Self {
         let mut entries: Vec<(Sample, String)> = Vec::new();
@@ -61,11 +61,13 @@ impl Legend {
         }
         Self::new(entries, room_pt)
     }
+}
 
+impl<S: Copy> Legend<S> {
     /// A legend with as many columns as possible if each name fits into one line; else with one column, in which long names
     /// take several lines. No name is cut.
-    pub(crate) fn new(entries: Vec<(Sample, String)>, room_pt: f64) -> Self {
-        let name = |(_, label): &(Sample, String)| width_with_reserve_pt(label, TEXT_PT);
+    pub(crate) fn new(entries: Vec<(S, String)>, room_pt: f64) -> Self {
+        let name = |(_, label): &(S, String)| width_with_reserve_pt(label, TEXT_PT);
         let widest = SAMPLE_PT + 3.0 * ENTRY_GAP_PT + entries.iter().map(name).fold(0.0, f64::max);
         let columns = (1..=entries.len().max(1)).rev().find(|&n| room_pt >= widest * float(n)).unwrap_or(1);
         let column_pt = room_pt / float(columns);
@@ -84,34 +86,26 @@ impl Legend {
     /// Height of the legend below the panels, pt.
     pub(crate) fn height_pt(&self) -> f64 {
         let columns = self.entries.chunks(self.rows().max(1));
-        let height =
-            |column: &[(Sample, Vec<String>)]| column.iter().map(|(_, lines)| height_pt(lines)).sum();
+        let height = |column: &[(S, Vec<String>)]| column.iter().map(|(_, lines)| height_pt(lines)).sum();
         let highest = columns.map(height).fold(0.0, f64::max);
         if self.entries.is_empty() { 0.0 } else { highest + ENTRY_GAP_PT }
     }
 
-    /// Draws the legend with its upper left corner at `(left_pt, top_pt)`.
-    pub(crate) fn draw(&self, area: &Area<'_>, at_pt: (f64, f64)) -> Result<(), PlotError> {
-        self.draw_with_samples(area, at_pt, &|index, left, middle| match self.entries.get(index) {
-            Some((sample, _)) => draw_legend_sample(area, *sample, left, middle),
-            None => Ok(()),
-        })
-    }
-
-    /// Draws the legend. `sample` draws a sample, given the index of its entry, its left end and its middle, in points.
-    pub(crate) fn draw_with_samples(
+    /// Draws the legend with its upper left corner at `(left_pt, top_pt)`. `draw_sample` draws a sample, given its left end and its middle,
+    /// in points.
+    pub(crate) fn draw(
         &self,
         area: &Area<'_>,
         (left_pt, top_pt): (f64, f64),
-        sample: &dyn Fn(usize, f64, f64) -> Result<(), PlotError>,
+        draw_sample: fn(&Area<'_>, S, f64, f64) -> Result<(), PlotError>,
     ) -> Result<(), PlotError> {
         // Down the first column, then down the next.
         let (mut left, mut top) = (left_pt, top_pt + ENTRY_GAP_PT);
-        for (index, (_, lines)) in self.entries.iter().enumerate() {
+        for (index, (sample, lines)) in self.entries.iter().enumerate() {
             if index > 0 && index % self.rows() == 0 {
                 (left, top) = (left + self.column_pt, top_pt + ENTRY_GAP_PT);
             }
-            sample(index, left, top + 0.5 * ENTRY_ROW_PT)?;
+            draw_sample(area, *sample, left, top + 0.5 * ENTRY_ROW_PT)?;
             for (row, line) in lines.iter().enumerate() {
                 let style = text(TEXT_PT).pos(Pos::new(HPos::Left, VPos::Center));
                 let middle = top + 0.5 * ENTRY_ROW_PT + NAME_LINE_PT * float(row);
@@ -129,7 +123,7 @@ fn height_pt(lines: &[String]) -> f64 {
     ENTRY_ROW_PT + NAME_LINE_PT * float(lines.len().saturating_sub(1))
 }
 
-fn draw_legend_sample(area: &Area<'_>, sample: Sample, left: f64, middle: f64) -> Result<(), PlotError> {
+pub(crate) fn draw_sample(area: &Area<'_>, sample: Sample, left: f64, middle: f64) -> Result<(), PlotError> {
     let at = |dx: f64, dy: f64| (units(left + dx), units(middle + dy));
     let line = vec![at(0.0, 0.0), at(SAMPLE_PT, 0.0)];
     match sample {

@@ -11,7 +11,7 @@ use crate::axis::{Axis, Scale, Ticks};
 use crate::document::{Area, MARGIN_PT, Paper, Title, document, text_allowed_in_xml};
 use crate::error::PlotError;
 use crate::figure::{self, Direction, Figure, Frame, Limit, Panel};
-use crate::legend::{LIMIT_ROW_PT, Legend, limit_rows};
+use crate::legend::{LIMIT_ROW_PT, Legend, Sample, draw_sample, limit_rows};
 use crate::style::{INK, LIMIT, SHADE_COLOUR, SHADE_OPACITY, TEXT_PT, TITLE_PT, float, stroke, text, units};
 use crate::text_width::cut_to_width;
 
@@ -50,7 +50,7 @@ pub fn figure(figure: &Figure, paper: Paper) -> Result<String, PlotError> {
         for (index, panel) in figure.panels.iter().enumerate() {
             layout.draw_panel(root, panel, index)?;
         }
-        layout.legend.draw(root, (MARGIN_PT + layout.beside_pt, layout.legend_top_pt()))
+        layout.legend.draw(root, (MARGIN_PT + layout.beside_pt, layout.legend_top_pt()), draw_sample)
     })
 }
 
@@ -66,7 +66,7 @@ struct Layout {
     title_pt: f64,
     /// Room for the names of limits above a panel, pt.
     limits_pt: f64,
-    legend: Legend,
+    legend: Legend<Sample>,
     letters: bool,
 }
 

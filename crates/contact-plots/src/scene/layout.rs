@@ -1,5 +1,6 @@
 //! The layout of a scene: one scale for all objects, views below each other, and names beside their elements.
 
+use super::SceneSample;
 use super::elements::{Block, LevelKind, Scene, View};
 use super::labels::{NameToPlace, Obstacles, Rect, place_names};
 use crate::axis::Ticks;
@@ -140,15 +141,15 @@ pub(super) struct SceneLayout<'s> {
     pub title: Title,
     pub height_pt: f64,
     pub blocks: Vec<PlacedBlock<'s>>,
-    pub legend: Legend,
+    pub legend: Legend<SceneSample>,
     pub legend_at: Point,
     /// Room for the tick labels and the labels of vertical axes, pt.
     pub beside: f64,
 }
 
 impl<'s> SceneLayout<'s> {
-    /// The layout of `scene`; `legend` makes the legend for the room that it gets, pt.
-    pub(super) fn of(scene: &'s Scene, paper: Paper, legend: impl FnOnce(f64) -> Legend) -> Self {
+    /// The layout of `scene` with these entries of its legend.
+    pub(super) fn of(scene: &'s Scene, paper: Paper, entries: Vec<(SceneSample, String)>) -> Self {
         let count_block_names = |block: &Block| block.views.iter().map(count_names).max().unwrap_or(0);
         let crowded = scene.blocks.iter().any(|block| count_block_names(block) > MOST_NAMES_IN_COLUMN);
         let page = if scene.blocks.len() > 1 || crowded { Width::Page } else { Width::Column };
@@ -193,7 +194,7 @@ impl<'s> SceneLayout<'s> {
             }
             top = bottom + BLOCK_GAP_PT;
         }
-        let legend = legend(width - 2.0 * MARGIN_PT - beside);
+        let legend = Legend::new(entries, width - 2.0 * MARGIN_PT - beside);
         let legend_top = top - BLOCK_GAP_PT;
         let height_pt = legend_top + legend.height_pt() + MARGIN_PT;
         let legend_at = (MARGIN_PT + beside, legend_top);

@@ -11,7 +11,7 @@ use plotters::style::{Color, FontTransform, RGBColor};
 use crate::document::{Area, MARGIN_PT, Paper, document, text_allowed_in_xml};
 use crate::error::PlotError;
 use crate::figure::Point;
-use crate::legend::{Legend, SAMPLE_PT, Sample};
+use crate::legend::SAMPLE_PT;
 use crate::panels_svg::TICK_LENGTH_PT;
 use crate::style::{INK, LIMIT, Look, TEXT_PT, float, stroke, text, units};
 pub use elements::{Ball, Block, Level, LevelKind, Outline, Scene, SceneNames, Spot, State, View};
@@ -24,21 +24,14 @@ use layout::{LINE_PT, PlacedBlock, PlacedName, PlacedView, RIGHT_PT, SceneLayout
 /// [`PlotError`]: nothing to draw, a point that is not a finite number, or too little room on the paper.
 pub fn scene(scene: &Scene, paper: Paper) -> Result<String, PlotError> {
     scene.check()?;
-    let entries = legend_entries(scene);
-    let named = entries.iter().map(|(_, name)| (Sample::Shade, name.clone())).collect();
-    let layout = SceneLayout::of(scene, paper, |room| Legend::new(named, room));
+    let layout = SceneLayout::of(scene, paper, legend_entries(scene));
     paper.check(layout.width, layout.beside + 2.0 * MARGIN_PT + RIGHT_PT)?;
     let texts: [&str; 2] = [&scene.title, &scene.description];
     document((paper, layout.width), layout.height_pt, &layout.title, texts, |root| {
         for block in &layout.blocks {
             draw_block(root, block)?;
         }
-        layout.legend.draw_with_samples(root, layout.legend_at, &|index, left, middle| match entries
-            .get(index)
-        {
-            Some((shown, _)) => draw_sample_at(root, *shown, left, middle),
-            None => Ok(()),
-        })
+        layout.legend.draw(root, layout.legend_at, draw_sample)
     })
 }
 
@@ -194,7 +187,7 @@ enum SceneSample {
 }
 
 /// Draws a sample of the legend; `left` is its left end and `middle` its vertical middle on the page, in points.
-fn draw_sample_at(root: &Area<'_>, sample: SceneSample, left: f64, middle: f64) -> Result<(), PlotError> {
+fn draw_sample(root: &Area<'_>, sample: SceneSample, left: f64, middle: f64) -> Result<(), PlotError> {
     let centre = (left + SAMPLE_PT / 2.0, middle);
     let ends = (left, left + SAMPLE_PT);
     match sample {
