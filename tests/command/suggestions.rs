@@ -124,6 +124,12 @@ fn a_verb_after_its_model_and_an_option_of_another_verb_get_a_suggestion() {
         ("human.osim stiffness=1e6", "did you mean 'set human.osim stiffness=1e6'?"),
         ("rescale help", "'help' is not a file; as a verb it would be the first word"),
         ("set human.osim stiffness 1e6", "a property and its value are one word: write stiffness=1e6"),
+        ("set human.osim stiffness = 1e6", "a property and its value are one word: write stiffness=1e6"),
+        ("add human.osim --preset falisse2022", "did you mean --from?"),
+        // `-d ry-run` would be a folder.
+        ("human.osim --target-mass 80 -dry-run", "'-dry-run' has one dash: did you mean --dry-run?"),
+        ("human.osim -target-mass=80", "'-target-mass' has one dash: did you mean --target-mass?"),
+        ("/?", "the help is printed by 'help'"),
         ("plot human.osim -o f.svg", "name one before the model, as in 'plot force human.osim'"),
         ("motion human.osim walk.mot plates.sto", "did you mean --plates plates.sto?"),
         ("human.osim --target-mass 80 --overwrite", "did you mean --force?"),

@@ -238,7 +238,7 @@ fn with_models(request: Request) -> Result<Request, RequestFault> {
 const OPTIONS_OF_OTHER_PROGRAMS: [(&[&str], &str); 3] = [
     (&["--overwrite", "--replace"], "--force"),
     (&["--json"], "--format json"),
-    (&["--generic", "--reference"], "--from"),
+    (&["--generic", "--reference", "--preset"], "--from"),
 ];
 
 /// A usage error in one line: what is wrong and what was expected.
@@ -290,6 +290,13 @@ pub(crate) fn usage_line(error: &clap::Error) -> String {
     let joint = if first.ends_with(':') { " " } else { "; " };
     let line = if rest.is_empty() { first } else { format!("{first}{joint}{}", rest.join(", ")) };
     Phrase::from(line).to_string()
+}
+
+/// The message about an option with one dash, such as `-from`, which the parser reads as `-f rom`; `None` for other words.
+pub(crate) fn message_about_one_dash(word: &str) -> Option<String> {
+    let name = word.strip_prefix('-')?.split('=').next().filter(|name| name.len() > 1)?;
+    let is_option = name == "version" || !verbs_with_option(name).is_empty();
+    is_option.then(|| format!("'-{name}' has one dash: did you mean --{name}? (see --help)"))
 }
 
 /// The names of the verbs that have an option.

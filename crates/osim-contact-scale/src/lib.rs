@@ -18,7 +18,9 @@ use clap::error::ErrorKind;
 use osim_model::messages::Verb;
 use osim_requests::{PlotKind, RequestFault};
 
-use crate::args::{Call, bare_command, command, is_quiet, typed_call, usage_line, verb_names};
+use crate::args::{
+    Call, bare_command, command, is_quiet, message_about_one_dash, typed_call, usage_line, verb_names,
+};
 use crate::exit::{Exit, exit_of, text_of};
 use crate::one_call::{COMMAND_LINE_WORDS, Session};
 use crate::suggestions::{suggest, suggested_axis, suggested_figure, suggested_plates};
@@ -57,6 +59,10 @@ pub fn main() -> ExitCode {
 fn call_of_arguments(columns: Option<usize>) -> Result<(Result<Call, RequestFault>, bool), clap::Error> {
     let mut words = std::env::args_os().skip(1).peekable();
     let first = words.peek().cloned();
+    let one_dash = std::env::args_os().skip(1).find_map(|word| message_about_one_dash(word.to_str()?));
+    if let Some(text) = one_dash {
+        return Ok((Err(RequestFault::general(text)), false));
+    }
     // To put the help together takes longer than to read the words, so it is done where something is to be shown. If `-h` is only the
     // value of an option, that costs time but changes no output.
     let asks_for_help = first.is_none() || words.any(|word| word == "-h" || word == "--help");

@@ -11,10 +11,11 @@ use osim_requests::{AxisName, Kilograms, PlotKind, no_fig1};
 use crate::args::{begins_alike, verb_names};
 
 /// Verbs of other programs, with what to say instead of `did you mean`.
-const VERBS_OF_OTHER_PROGRAMS: [(&[&str], &str); 4] = [
+const VERBS_OF_OTHER_PROGRAMS: [(&[&str], &str); 5] = [
     (&["info", "show", "view"], "the contacts of a model are shown by 'inspect'"),
     (&["lint", "validate", "verify"], "a model is checked by 'check'"),
     (&["fix"], "'check --fix' corrects a model"),
+    (&["/?", "/h", "/help"], "the help is printed by 'help'"),
     (&["scale"], "OpenSim scales bodies; 'rescale' scales contacts"),
 ];
 

@@ -136,12 +136,13 @@ pub fn read(
     let request = Request::read_checking(verb, fields, |relation| matches!(relation, Relation::Needs(..)))?;
     match request {
         Request::Set(mut request) => {
-            let mut words = words.into_iter().peekable();
+            let mut words = words.into_iter();
             while let Some(word) = words.next() {
                 let is_property = |word: &str| Property::ALL.iter().any(|property| property.name() == word);
                 let property = word.to_str().filter(|word| is_property(word) && !is_file(Path::new(word)));
                 if let Some(name) = property {
-                    let value = words.peek().and_then(|value| value.to_str()).unwrap_or("VALUE");
+                    let value = words.find(|other| *other != "=").and_then(|value| value.to_str());
+                    let value = value.unwrap_or("VALUE");
                     let message = format!("a property and its value are one word: write {name}={value}");
                     return Err(RequestFault::general(message));
                 }
