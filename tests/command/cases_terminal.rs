@@ -64,7 +64,13 @@ fn models_that_failed_or_were_skipped_are_named_at_the_end() {
 fn files_that_are_not_models_are_named_by_what_they_are() {
     let dir = TestDir::with(&[("motion/walk.mot", "walk.mot"), ("motion/plates.sto", "plates.sto")]);
     dir.write("m.zip", b"PK\x03\x04\0\0");
-    dir.run("inspect m.zip").failed().says(&["this is a ZIP archive"]);
+    dir.write("m.osim.gz", b"\x1F\x8B\x08\0\0");
+    for (name, what) in [("m.zip", "a ZIP"), ("m.osim.gz", "a gzip")] {
+        let text = format!("this is {what} archive, expected an OpenSim model: unpack it first");
+        dir.run(&format!("inspect {name}")).failed().says(&[&text]);
+    }
+    // The shells of Windows hand them over as they are.
+    dir.run("check *.osim").failed().says(&["names with * are not searched for: name the folder"]);
     for name in ["walk.mot", "plates.sto"] {
         dir.run(&format!("check {name}"))
             .failed()

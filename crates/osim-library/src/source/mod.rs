@@ -115,10 +115,14 @@ impl LoadedModel {
         let disk = MemoryFirst { memory, kinds, stamps: RefCell::default() };
         let unreadable = |error: FileError| {
             let near = if error == FileError::not_found() { similar_file(&source.path) } else { None };
-            let message = near.map_or_else(
-                || error.to_string(),
-                |near| format!("there is no such file: did you mean {}?", near.display()),
-            );
+            let message = match near {
+                // The shells of Windows leave it to the program.
+                _ if !source.path.exists() && source.path.to_string_lossy().contains('*') => {
+                    "names with * are not searched for: name the folder, for all models in it".to_owned()
+                }
+                Some(near) => format!("there is no such file: did you mean {}?", near.display()),
+                None => error.to_string(),
+            };
             Failure::outside(source.path.as_path(), "unreadable", message)
         };
         let bytes = disk.read(&source.path).map_err(unreadable)?;

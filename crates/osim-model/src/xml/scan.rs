@@ -16,8 +16,8 @@ pub enum SyntaxFault {
         "this is not XML, expected an OpenSim model that starts with <?xml ...> or <OpenSimDocument ...>"
     )]
     NotXml,
-    #[error("this is a ZIP archive, expected an OpenSim model: unpack it first")]
-    Zip,
+    #[error("this is a {0} archive, expected an OpenSim model: unpack it first")]
+    Packed(&'static str),
     #[error("this is a motion or another table of OpenSim, expected a model: to compare the two, ")]
     Motion,
     #[error("the file is empty, expected an OpenSim model: get it again from where it came")]
@@ -81,6 +81,9 @@ impl SyntaxError {
 // have `<!--` inside a comment.
 
 const BYTE_ORDER_MARK: &[u8] = b"\xEF\xBB\xBF";
+/// How archives begin.
+const ARCHIVES: [(&[u8], &str); 4] =
+    [(b"PK\x03\x04", "ZIP"), (b"\x1F\x8B", "gzip"), (b"7z\xBC\xAF", "7z"), (b"Rar!", "RAR")];
 /// Up to this number of attributes, repeated names are found by comparing all pairs; more attributes go through a hash set.
 const MOST_ATTRIBUTES_IN_PAIRS: usize = 8;
 
@@ -121,8 +124,8 @@ fn refuse_foreign_encodings(bytes: &[u8]) -> Result<(), Fault> {
     if utf16.iter().any(|start| bytes.starts_with(start)) {
         return Err((SyntaxFault::Utf16, 0));
     }
-    if bytes.starts_with(b"PK\x03\x04") {
-        return Err((SyntaxFault::Zip, 0));
+    if let Some(&(_, archive)) = ARCHIVES.iter().find(|(start, _)| bytes.starts_with(start)) {
+        return Err((SyntaxFault::Packed(archive), 0));
     }
     if let Some(at) = memchr::memchr(0, bytes) {
         return Err((SyntaxFault::Nul, at));

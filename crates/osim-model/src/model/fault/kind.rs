@@ -95,7 +95,7 @@ impl FaultKind {
     pub fn code(&self) -> &'static str {
         match self {
             Self::Syntax(
-                SyntaxFault::NotXml | SyntaxFault::Empty | SyntaxFault::Zip | SyntaxFault::Motion,
+                SyntaxFault::NotXml | SyntaxFault::Empty | SyntaxFault::Packed(_) | SyntaxFault::Motion,
             ) => "not-xml",
             Self::Syntax(SyntaxFault::Utf16 | SyntaxFault::SecondByteOrderMark) => "encoding",
             Self::Syntax(SyntaxFault::DoctypeSubset) => "doctype",
