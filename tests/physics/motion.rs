@@ -171,7 +171,10 @@ fn wrong_recordings_are_refused_with_a_reason() {
     );
     assert_refused(&dir, "motion walker.osim walk.mot --plates late.sto", "no time in common");
     assert_refused(&dir, "motion walker.osim walk.mot --loads plates.xml", "--plates");
-    assert_refused(&dir, "motion walker.osim walk.mot --plates plates.xml", "plates.xml: this is XML");
+    // A file under the option of the other.
+    assert_refused(&dir, "motion walker.osim walk.mot --plates plates.xml", "ExternalLoads go with --loads");
+    let loads = "motion walker.osim walk.mot --plates plates.sto --loads plates.sto";
+    assert_refused(&dir, loads, "plates.sto: it is not XML, expected an ExternalLoads file");
     assert_refused(&dir, "motion walker.osim walk.mot --low-pass 60", "below half of that, 50 Hz");
     assert_refused(&dir, "motion walker.osim nothing.mot", "there is no such file");
 }

@@ -168,6 +168,9 @@ impl ExternalLoads {
     /// # Errors
     /// The bytes are not XML, or the root element is not `ExternalLoads`.
     pub fn read(bytes: &[u8]) -> Result<Self, MotionFault> {
+        if !bytes.contains(&b'<') {
+            return Err(MotionFault::new("it is not XML, expected an ExternalLoads file"));
+        }
         let document =
             Document::parse(bytes.to_vec()).map_err(|fault| MotionFault::new(fault.to_string()))?;
         let tree = document.tree();

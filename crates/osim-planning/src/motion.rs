@@ -318,7 +318,7 @@ pub(crate) fn read_table(path: &Path, files: &dyn Files) -> Result<Table, Failur
 /// The failure for a fault in a motion file, with its line.
 fn failure(path: &Path, fault: &MotionFault) -> Failure {
     let place = fault.line.map(|line| format!("line {line}: ")).unwrap_or_default();
-    let mut message = Phrase::from(format!("{place}{}", fault.message));
+    let mut message = Phrase::template(&format!("{place}{}", fault.message));
     if fault.needs_angles {
         message.push(&phrase![
             ": give {} or {}";
