@@ -20,7 +20,7 @@ pub const RULES: &[&Rule] = &[
 rule! { MASS_SOURCES_DISAGREE: MassSourcesDisagree, Warning, Mass;
     what: "The note, `mass` and the bodies give different masses.",
     why: "The factor of every change follows from the mass the contacts are made for; a wrong one scales all of them wrongly.",
-    advice: "Check the mass that was taken (the first line of the output) and give `contacts_mass=KG` if it is not the right one",
+    advice: "Scale the bodies to the mass of the contacts, or the contacts to that of the bodies (`rescale MODEL target_mass=KG`). If one of the masses is wrong, give the right one with `contacts_mass=KG` or `mass=KG`",
     repair: Repair::NotPossible("only you know which of the masses is right"),
     example: Example::Models { good: "walks/child.osim", bad: "walks/scaled_noted.osim" },
 }
