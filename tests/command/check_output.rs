@@ -41,6 +41,17 @@ fn check_prints_tables_json_and_csv() {
 }
 
 #[test]
+fn a_scaled_model_beside_its_original_is_asked_for_it() {
+    let dir = TestDir::with(&[
+        ("scale_tool/scaled_smooth.osim", "scaled.osim"),
+        ("scale_tool/generic_smooth.osim", "generic.osim"),
+    ]);
+    let next = "What to do: osim-contact-scale check MODEL --from GENERIC compares";
+    dir.run("check scaled.osim generic.osim").succeeded().says(&["spheres-not-compared", next]);
+    dir.run("check scaled.osim generic.osim --from generic.osim").failed().says_not(&[next]);
+}
+
+#[test]
 fn tables_fit_80_columns() {
     for fixture in ["check/floats.osim", "format/mixed_radii.osim", "format/terrain_welded.osim"] {
         let dir = TestDir::with(&[(fixture, "model.osim"), ("check/within_limits.osim", "other.osim")]);

@@ -367,6 +367,13 @@ impl LibraryTable {
             text.push_str(&layout.wrapped(&line, "  "));
         }
         text.push_str(&layout.wrapped(&self.unchecked_in_words(), "  "));
+        let is_open = self.codes.keys().any(|(_, code)| *code == FindingCode::SpheresNotCompared);
+        if is_open && self.call.from.is_none() {
+            let call = Verb::Check.call_with_model().with_placeholder(Input::From, "GENERIC");
+            let call = words.command(&call);
+            let what = format!("What to do: {call} compares each with the model that was scaled");
+            text.push_str(&format!("\n{}", layout.wrapped(&what, "  ")));
+        }
         text
     }
 
