@@ -119,7 +119,7 @@ fn a_table_that_is_not_a_manifest_is_refused_with_a_correction() {
         ("model,weight (lb)\nhuman.osim,180\n", "is 'weight (lb)' that mass? Call it target-mass, in kg"),
         ("model,model\nhuman.osim,5\n", "appears twice"),
         ("model,target-mass,dry-run\nhuman.osim,5,yes\n", "after the table's name"),
-        ("model,target-mass\nhuman.osim\n", "line 2: 1 cells, expected 2"),
+        ("model,target-mass\nhuman.osim\n", "line 2: 1 cell, expected 2"),
         ("model,target-mass\n", "no rows"),
         ("m\0o\0", "UTF-16"),
     ] {

@@ -170,7 +170,7 @@ fn bad_tables_are_refused_with_the_place() {
     for (text, words) in [
         ("indentation,force\n0.001,1\n0.002,abc\n", ["line 3, column 'force'", "'abc' is not a number"]),
         ("indentation,force\n0.001,1\n0.002,\n", ["line 3, column 'force'", "is empty"]),
-        ("indentation,force\n0.001,1\n0.002\n", ["line 3", "1 cells, expected 2"]),
+        ("indentation,force\n0.001,1\n0.002\n", ["line 3", "1 cell, expected 2"]),
         ("indentation,force\n0.001,nan\n", ["line 2, column 'force'", "'nan'"]),
         ("indentation,force\n\"0,001\",1\n", ["line 2, column 'indentation'", "decimal comma"]),
         ("indentation;force\n1.000,5;1\n", ["line 2, column 'indentation'", "separators between thousands"]),

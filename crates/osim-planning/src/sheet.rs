@@ -3,7 +3,7 @@
 
 use std::borrow::Cow;
 
-use osim_model::messages::is_visible;
+use osim_model::messages::{counted, is_visible};
 use osim_requests::values::typed_numbers::trimmed;
 
 /// The bytes that some programs write before a CSV file in UTF-8.
@@ -211,7 +211,7 @@ fn message_of_unequal_rows(unequal: &[(u64, usize, bool)], header: &[String], de
     let mut rows: Vec<String> = unequal
         .iter()
         .take(ROWS_LISTED)
-        .map(|(line, cells, _)| format!("line {line}: {cells} cells"))
+        .map(|(line, cells, _)| format!("line {line}: {}", counted(cells, "cell")))
         .collect();
     if unequal.len() > ROWS_LISTED {
         rows.push(format!("{} more lines", unequal.len() - ROWS_LISTED));
@@ -387,7 +387,7 @@ mod tests {
         assert!(Sheet::read(b"\xFF\xFEm\0").is_err());
         let ragged = Sheet::read(b"a,b\r\n1,2\r\n1\r\n1,2,3\r\n").err().unwrap();
         assert!(
-            ragged.starts_with("line 3: 1 cells, line 4: 3 cells, expected 2 as in the first row: "),
+            ragged.starts_with("line 3: 1 cell, line 4: 3 cells, expected 2 as in the first row: "),
             "{ragged}"
         );
         // The message is about what is wrong with them, not about what could be.

@@ -239,8 +239,9 @@ fn did_you_mean(cell: &str, known: &BTreeMap<String, Option<CellKind>>) -> Optio
     let header = letters_of_header(cell);
     // What a subject weighs is near to `body_map` and `body_right`.
     let is_option = ["bodymass", "bodyweight"].iter().all(|own| *own != header);
-    // Short names are near to everything: `sex` to `yes`.
+    // Short names are near to everything: `sex` to `yes`. Of four letters, all have to be in the option: `lvel`.
     let is_near = |spelling: &String| match strsim::osa_distance(spelling, &header) {
+        1 if header.len() == 4 && header != "mode" => header.chars().all(|letter| spelling.contains(letter)),
         apart @ ..2 => apart + 3 < header.len(),
         apart => header.len() > 7 && (apart == 2 || stem(spelling) == stem(&header)),
     };
@@ -296,6 +297,8 @@ mod tests {
             assert!(message(header).contains("did you mean 'contacts_mass'?"), "{header}");
         }
         assert!(message("follow-body").contains("did you mean 'follow-bodies'?"));
+        assert!(message("lvel").contains("did you mean 'level'?"));
+        assert!(message("form").contains("did you mean 'from'?"));
         assert!(message("sphere follow their bodies").contains("did you mean 'follow_bodies'?"));
     }
 
@@ -332,7 +335,7 @@ mod tests {
         let header = ["model", "subject", "age", "sex", "height", "site", "#group", "target-mass"];
         let columns = columns_of(&header).unwrap();
         assert_eq!(columns.unmarked_user_columns(), ["subject", "age", "sex", "height", "site"]);
-        for own in ["Body mass (kg)", "body_weight", "weight", "original mass"] {
+        for own in ["Body mass (kg)", "body_weight", "weight", "original mass", "mode", "name", "date"] {
             assert_eq!(columns_of(&["model", own]).unwrap().unmarked_user_columns(), [own]);
         }
         let header = header.map(str::to_owned);
