@@ -13,7 +13,7 @@ CASE = re.compile(r"    - (?P<question>.+): `(?P<call>[^`]+)`, \[(?P<page>[^\]]+
 
 # Places in units of the picture, about a pixel each.
 ROW, GAP, TOP = 30, 14, 14
-GROUP, QUESTION, CALL, PAGE, WIDTH = 12, 280, 524, 896, 1016
+GROUP, QUESTION, CALL, PAGE, WIDTH = 12, 280, 524, 944, 1064
 GROUP_WIDTH = 226
 STYLE = """
 text { font: 14px Arial, Helvetica, 'Liberation Sans', sans-serif; fill: #1b1b1f; dominant-baseline: middle }

@@ -87,6 +87,9 @@ def test_the_chart_is_drawn_from_the_list_beside_it():
     # Every case of the list is in the chart; none has another form than the others.
     cases = decision_chart.cases("\n".join(lines))
     assert sum(len(leaves) for _, leaves in cases) == sum(line.startswith("    - ") for line in lines)
+    # Its letters are 0.6 of 13 pixels wide, and the box ends 12 before the page.
+    room = (decision_chart.PAGE - decision_chart.CALL - 20) / 7.8
+    assert all(len(call) <= room for _, leaves in cases for _, call, _ in leaves)
     known = (TOP / "docs" / "chart.svg").read_text(encoding="utf-8")
     assert known == decision_chart.chart(), "draw it again: python3 dev/decision_chart.py"
 
