@@ -90,7 +90,7 @@ pub(crate) fn factor_spread_message(force: &Force, spread: f64) -> Option<String
 rule! { FRICTION_NOT_SIMILAR: FrictionNotSimilar, Remark;
     what: "The friction of SmoothSphereHalfSpaceForce is not exactly similar.",
     why: "Simbody adds constant_contact_force to the squared slip speed, where similarity wants a term in proportion to g R: friction of the smooth force is similar only as far as that term is small.",
-    advice: "Compare slip speeds with the root of constant_contact_force before relying on it",
+    advice: "Rely on friction only where the slip speed in m/s is a much larger number than the square root of constant_contact_force",
     repair: Repair::OnlyInChange("it lies in how OpenSim computes friction"),
     example: Example::Request {
         good: r#"{"verb": "rescale", "models": ["table1/human_62kg_smooth_sphere.osim"], "target_mass": 90}"#,

@@ -178,9 +178,9 @@ fn find_lost_sockets_of_coordinates(model: &Model) -> Option<Finding> {
 }
 
 rule! { pub(super) MIXED_PAIR: MixedPair, Error;
-    what: "A note of another output file was found that does not belong to this one.",
+    what: "The force set and its geometry set are from different runs.",
     why: "The notes in the force set and in the geometry set are from different runs, so their stiffnesses and radii do not fit together.",
-    advice: "Write both again in one run",
+    advice: "Write both files again in one run",
     repair: Repair::NotPossible("only you know which of the two files is the right one"),
     example: Example::InWords { good: "force set and geometry set as one run wrote them",
         bad: "the geometry set of another run, with a note of its own" },

@@ -45,9 +45,9 @@ fn find_body_without_joint(model: &Model) -> Vec<Finding> {
 }
 
 rule! { pub(super) VERSION_AGAINST_FORM: OtherVersion, Error;
-    what: "The Version of the document is not that of its form.",
-    why: "Joints, connections and muscle paths are written in other ways from version to version. OpenSim reads a document as its Version says, and then does not find them.",
-    advice: "Write the version with which the file was saved: the number at its begin was changed",
+    what: "The document is written in another way than its Version says.",
+    why: "Joints, connections and muscle paths are written in other ways from version to version. OpenSim reads a document as its Version says, and does not find what is written in another way.",
+    advice: "Write the version with which the file was saved: the number at the beginning of the file was changed",
     repair: Repair::NotPossible("only you know the version with which the file was saved"),
     example: Example::Piece { model: "format/v40000.osim", good: "Version=\"40000\"",
         bad: "Version=\"30000\"" },

@@ -310,7 +310,7 @@ const MOST_BODIES_ABOVE: usize = 8;
 
 rule! { pub(super) HEAVY_FOOT: HeavyFoot, Warning, Mass;
     what: "A body with spheres weighs more than each body of its limb above it.",
-    why: "A foot is lighter than the thigh: in published models it weighs 1 to 2 % of the body. A heavier one mostly has the mass of another body, or a wrong point, and swings as no foot does.",
+    why: "A foot is lighter than the thigh: in published models it weighs 1 to 2 % of the body. A heavier one mostly has the mass of another body, or a decimal point in the wrong place, and swings as no foot does.",
     advice: "Write the mass of the body in kg",
     repair: Repair::NotPossible("only you know what the body weighs"),
     example: Example::Piece { model: "table1/human_62kg_smooth_sphere.osim", good: "<mass>0.7734375</mass>",
@@ -354,7 +354,7 @@ const CROWD_DISTANCE_OVER_RADIUS: f64 = 0.5;
 
 rule! { pub(super) CROWDED_SPHERES: CrowdedSpheres, Warning, Sizes;
     what: "All spheres of a body are in nearly the same place.",
-    why: "The spheres of a published foot extend over at least 0.077 of the limb's longest bone, and no two are closer than 1.36 radii. Spheres that nearly coincide carry like one that is several times as stiff. Usually places in metres were taken for millimetres.",
+    why: "The spheres of a published foot extend over at least 0.077 of the limb's longest bone, and no two are closer than 1.36 radii. Spheres that nearly coincide carry like one that is several times as stiff. Usually their places were in metres, and were divided by 1000 as if they were millimetres.",
     advice: "Look at `plot MODEL output=FILE.svg kind=feet`; write places in metres, in the frame of the body",
     repair: Repair::NotPossible("only you know the right places"),
     example: Example::Models { good: "check/known_contacts.osim", bad: "check/crowded_spheres.osim" },
