@@ -40,7 +40,7 @@ function results = transfer(varargin)
 %     mass: Mass of this model, kg [default: the sum of its bodies]. Takes a number.
 %     exclude_body: Leave these bodies out of the sum (props, platforms). Takes a text or a cell array
 %         of texts.
-%     radius: Radii: keep, isometric (as large against the body as the reference's), follow (with the
+%     radius: Radii: keep, isometric (as the reference's, in proportion to M^(1/3)), follow (with the
 %         factors of bodies, by radius_axis), a radius in metres, or a factor like x1.5 [default: keep;
 %         isometric with follow_bodies]. Takes a number or a text.
 %     level: Keep the soles: where a radius changes, move the centre so that the lowest point of the

@@ -1800,7 +1800,7 @@ def transfer(
     exclude_body : str or list of str, optional
         Leave these bodies out of the sum (props, platforms); one or several in a list.
     radius : float or str, optional
-        Radii: keep, isometric (as large against the body as the reference's), follow (with the factors of bodies,
+        Radii: keep, isometric (as the reference's, in proportion to M^(1/3)), follow (with the factors of bodies,
         by `radius_axis`), a radius in metres, or a factor like x1.5 [default: keep; isometric with
         `follow_bodies`]
     level : bool, optional

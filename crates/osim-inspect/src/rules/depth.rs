@@ -175,7 +175,7 @@ impl ManyLimbs {
 /// Advice for contacts that were made for a body on another number of limbs: scaling by mass alone does not make them right.
 fn advice_for_other_number_of_limbs(carrying: f64) -> Phrase {
     phrase![
-        "If the contacts were made for another body, take those of a known model, as large against this body, with ",
+        "If the contacts were made for another body, take those of a known model, at the size of this body, with ",
         Input::StanceLimbs.with_value(readable(carrying)),
         ": scaled by mass alone they are still those of another number of spheres. If they were made for this one, make them stiffer, for the x/R that you want with so many limbs",
     ]

@@ -213,7 +213,7 @@ pub(super) fn entry_of(field: Field<'_>, verb: Verb) -> Option<Entry> {
             .under_if(is(&[Design, Sweep]), WANTED_GROUP).under_if(is(&[DropTest]), CONTACT_GROUP),
             "Radii: isometric (R ~ M^1/3), keep, a radius in metres, or a factor like x1.5 [default: isometric with `target_mass`, keep \
              otherwise]",
-            Transfer => "Radii: keep, isometric (as large against the body as the reference's), follow (with the factors of bodies, by \
+            Transfer => "Radii: keep, isometric (as the reference's, in proportion to M^(1/3)), follow (with the factors of bodies, by \
                          `radius_axis`), a radius in metres, or a factor like x1.5 [default: keep; isometric with `follow_bodies`]",
             Design | Sweep => "Sphere radius in metres (with models also keep or a factor like x1.5)",
             DropTest | Fit => "Sphere radius, m",
