@@ -38,8 +38,8 @@ export function massSlider(field: Field, context: Context): Control {
         const element = marks[index] ?? scale;
         setText(element, massText(10 ** place));
         element.style.left = `${(100 * (place - least)) / (most - least)}%`;
-        // Near an end, its mark has no room.
-        element.hidden = place === Math.log10(middle) && Math.abs((2 * place - least - most) / (most - least)) > 0.6;
+        // Near an end, its mark has no room: from 66 kg on it would touch that of the giraffe.
+        element.hidden = place === Math.log10(middle) && Math.abs((2 * place - least - most) / (most - least)) > 0.47;
       }
     }
     const typed = typedMass(field, context);
