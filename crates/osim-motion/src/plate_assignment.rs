@@ -119,13 +119,13 @@ impl MeasuredForces {
     /// then.
     fn clear_frames_beside_plates(&mut self, feet: &[Foot], states: &ContactStates, weight_n: f64) {
         let total = self.total.clone();
-        for ((foot, series), count) in feet.iter().zip(&mut self.feet).zip(&mut self.beside) {
-            let beside = frames_beside_plates(states, foot, series, &total, weight_n);
-            for ((force, total), _) in
-                series.iter_mut().zip(&mut self.total).zip(beside).filter(|(_, is_beside)| *is_beside)
-            {
-                (*force, *total) = (None, None);
-                *count += 1;
+        let loads = feet.iter().zip(&self.feet).map(|(foot, plates)| loads_of_foot(states, foot, plates));
+        let loads: Vec<Vec<LoadOfFoot<'_>>> = loads.collect();
+        for (index, foot) in feet.iter().enumerate() {
+            let beside = frames_beside_plates(states, foot, (&loads, index), &total, weight_n);
+            for frame in (0..beside.len()).filter(|&frame| beside[frame]) {
+                (self.feet[index][frame], self.total[frame]) = (None, None);
+                self.beside[index] += 1;
             }
         }
     }
@@ -261,35 +261,48 @@ const CARRIED_BW: f64 = 0.6;
 /// The shortest time, s, in which a foot stands beside the plates. A swinging foot is low and still for a moment.
 const SHORTEST_STEP_S: f64 = 0.08;
 
-/// For each frame, whether `foot` stands beside the plates: its `plates` measure no force, but for 80 ms it is about as low and as still
-/// as on a plate, and the `total` of all plates does not carry the body. All frames around these count while the foot is as low as on a
-/// plate.
+/// The force of the plates under a foot along the normal, N, and its deepest contact, in one frame; `None` without data.
+type LoadOfFoot<'s> = Option<(f64, &'s ContactState)>;
+
+/// The loads of `foot`, under which `plates` measured these forces.
+fn loads_of_foot<'s>(
+    states: &'s ContactStates,
+    foot: &Foot,
+    plates: &[Option<Wrench>],
+) -> Vec<LoadOfFoot<'s>> {
+    let in_frame = |(frame, plate): (usize, &Option<Wrench>)| {
+        let deepest = foot.deepest_contact(states, frame)?;
+        Some((plate.as_ref()?.force_n.dot(deepest.normal), deepest))
+    };
+    plates.iter().enumerate().map(in_frame).collect()
+}
+
+/// For each frame, whether the foot with this index of `loads` stands beside the plates: they measure no force under it, but for 80 ms it
+/// is about as low and as still as on a plate, and the `total` of all plates does not carry the body. All frames around these count while
+/// the foot is as low as on a plate. A foot that is on no plate is compared with the other feet.
 fn frames_beside_plates(
     states: &ContactStates,
     foot: &Foot,
-    plates: &[Option<Wrench>],
+    (loads, index): (&[Vec<LoadOfFoot<'_>>], usize),
     total: &[Option<Wrench>],
     weight_n: f64,
 ) -> Vec<bool> {
-    let frames: Vec<Option<(f64, &ContactState)>> = plates
-        .iter()
-        .enumerate()
-        .map(|(frame, plate)| {
-            let deepest = foot.deepest_contact(states, frame)?;
-            Some((plate.as_ref()?.force_n.dot(deepest.normal), deepest))
-        })
-        .collect();
+    let frames = &loads[index];
+    let is_above = |force_n: f64, least_bw: f64| force_n > least_bw * weight_n;
+    let is_on_plate = frames.iter().flatten().any(|(force_n, _)| is_above(*force_n, LOADED_BW));
+    let compared = if is_on_plate { &loads[index..=index] } else { loads };
     let under_load = |least_bw: f64, quantile: f64, of: &dyn Fn(&ContactState) -> f64| {
-        let loaded = frames.iter().flatten().filter(|(force_n, _)| *force_n > least_bw * weight_n);
+        let loaded = compared.iter().flatten().flatten().filter(|(force_n, _)| is_above(*force_n, least_bw));
         percentile(&loaded.map(|(_, state)| of(state)).collect::<Vec<f64>>(), quantile)
             .unwrap_or(f64::INFINITY)
     };
     let usual_m = under_load(LOADED_BW, 0.5, &|state| state.indentation_m);
     let usual_m_s =
         DVec3::from([0, 1, 2].map(|axis| under_load(LOADED_BW, 0.5, &|state| state.slip_m_s[axis])));
-    let least_m = under_load(TOUCH_DOWN_BW, LEAST_DEPTH_QUANTILE, &|state| state.indentation_m)
-        .max(usual_m - MOST_HEIGHT_OF_STANDING_FOOT_M);
-    let is_low = |one: &Option<(f64, &ContactState)>| {
+    let lowest_m = under_load(TOUCH_DOWN_BW, LEAST_DEPTH_QUANTILE, &|state| state.indentation_m);
+    let least_m = usual_m - MOST_HEIGHT_OF_STANDING_FOOT_M;
+    let least_m = if is_on_plate { lowest_m.max(least_m) } else { least_m };
+    let is_low = |one: &LoadOfFoot<'_>| {
         one.as_ref().is_some_and(|(force_n, state)| {
             *force_n < LIFT_OFF_BW * weight_n && state.indentation_m >= least_m
         })
