@@ -51,7 +51,7 @@ fn the_first_frame_agrees_with_a_hand_calculation() {
     assert_eq!(csv.lines().count(), 1 + 241 * 4);
 }
 
-/// Missing rows of plates are interpolated, and the program reports them.
+/// Missing rows of plates are reported; where they are missing for long, no force is known.
 #[test]
 fn missing_rows_of_plates_are_reported_once() {
     let dir = TestDir::with(&FILES_OF_RECORDING);
@@ -75,12 +75,29 @@ fn missing_rows_of_plates_are_reported_once() {
     assert!(text.contains("plates.sto: rows are missing in 1 gap from 0.504 to 0.796 s; "), "{text}");
     let (count, text) = gap_remarks(&without(&[(0.505, 0.795), (1.495, 1.505)]));
     assert_eq!(count, 1, "{text}");
-    assert!(text.contains("rows are missing in 2 gaps, the longest from 0.504 to 0.796 s"), "{text}");
+    assert!(
+        text.contains("2 gaps, the longest from 0.504 to 0.796 s; in gaps above 50 ms no force"),
+        "{text}"
+    );
     dir.run(
         "fit walker.osim --motion walk.mot --plates plates.sto --loads plates.xml --fit height --dry-run",
     )
     .succeeded()
     .says(&["rows are missing in 2 gaps"]);
+}
+
+/// Where the plates have no data, the file of the moved plates has no row: 0 N would be another measurement.
+#[test]
+fn moved_plates_have_no_rows_without_data() {
+    let dir = TestDir::with(&FILES_OF_RECORDING);
+    let time = |line: &str| line.split('\t').next().and_then(|cell| cell.parse::<f64>().ok());
+    let plates = dir.text("plates.sto");
+    let kept = plates.lines().filter(|line| time(line).is_none_or(|time_s| time_s < 1.6));
+    dir.write("part.sto", kept.map(|line| format!("{line}\n")).collect::<String>());
+    let call = "motion walker.osim walk.mot --plates part.sto --loads plates.xml --correct c.sto --belt 1";
+    dir.run(call).succeeded();
+    let last = ["c.sto", "c.plates.sto"].map(|file| time(dir.text(file).lines().last().unwrap()));
+    assert_eq!(last, [Some(2.4), Some(1.59)]);
 }
 
 #[test]

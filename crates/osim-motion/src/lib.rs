@@ -30,7 +30,7 @@ pub use crate::feet::{Foot, StancePhase, TOUCH_DOWN_BW, strides};
 pub use crate::pair::{ContactPair, TouchedSurface};
 pub use crate::plate_assignment::{AssignedBy, MeasuredForces, PlateAssignment};
 pub use crate::plate_comparison::{Comparison, ComparisonPlane, LeftOutForces};
-pub use crate::plates::{ExternalLoad, ExternalLoads, Plate};
+pub use crate::plates::{ExternalLoad, ExternalLoads, LONGEST_BRIDGED_GAP_S, Plate};
 pub use crate::recording::{Recording, RecordingFacts, RecordingOptions};
 pub use crate::sole::PressureOnSole;
 pub use crate::states::{Belt, CentreOfPressure, ContactState, ContactStates, StatesError, Wrench};

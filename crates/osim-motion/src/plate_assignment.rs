@@ -100,9 +100,12 @@ impl MeasuredForces {
         self.feet.iter().map(Vec::as_slice).filter(|forces| forces.iter().any(Option::is_some)).collect()
     }
 
-    /// The longest run of frames in which the force under every foot is known that is known in some frame.
+    /// The longest run of frames in which the force under every foot is known that has one in some frame.
     pub fn longest_known(&self) -> Range<usize> {
-        let feet = self.of_known_feet();
+        let is_loaded = |forces: &&Vec<Option<Wrench>>| {
+            forces.iter().flatten().any(|wrench| wrench.force_n != DVec3::ZERO)
+        };
+        let feet: Vec<&Vec<Option<Wrench>>> = self.feet.iter().filter(is_loaded).collect();
         let is_known = |frame: usize| feet.iter().all(|forces| matches!(forces.get(frame), Some(Some(_))));
         let (mut longest, mut first) = (0..0, 0);
         for frame in 0..self.total.len() {

@@ -3,7 +3,7 @@
 
 use osim_model::{DVec3, Document, ElementId, opensim_text};
 
-use crate::{Column, MotionFault, Table, Wrench};
+use crate::{Column, Gap, MotionFault, Table, Wrench};
 
 /// A force plate with its measurements.
 #[derive(Debug, Clone, PartialEq)]
@@ -18,7 +18,12 @@ pub struct Plate {
     time_s: Vec<f64>,
     /// The force and moment at each time.
     wrenches: Vec<Wrench>,
+    /// Gaps in which the force is not known.
+    gaps: Vec<Gap>,
 }
+
+/// In gaps of at most this length, s, forces are taken along straight lines. In longer ones, no force is known.
+pub const LONGEST_BRIDGED_GAP_S: f64 = 0.05;
 
 impl Plate {
     /// The plates of a table of ground reactions, by the names of its columns.
@@ -94,13 +99,17 @@ impl Plate {
                 free.with_force(at(force, row), at(point, row))
             })
             .collect();
-        Ok(Self { name: name.to_owned(), body, has_points, time_s: table.time_s.clone(), wrenches })
+        let gaps = table.gaps().into_iter().filter(|gap| gap.length_s() > LONGEST_BRIDGED_GAP_S).collect();
+        Ok(Self { name: name.to_owned(), body, has_points, time_s: table.time_s.clone(), wrenches, gaps })
     }
 
-    /// The force at a time, interpolated linearly; `None` before the first and after the last measurement.
+    /// The force at a time, interpolated linearly; `None` before the first and after the last measurement, and in a long gap.
     pub fn at(&self, time_s: f64) -> Option<Wrench> {
         /// Times of two files that differ by no more than this are the same, s: by rounding, motion data can begin before the plates.
         const SAME_TIME_S: f64 = 1e-6;
+        if self.gaps.iter().any(|gap| gap.from_s < time_s && time_s < gap.to_s) {
+            return None;
+        }
         let after = self.time_s.partition_point(|&time| time < time_s);
         match (after.checked_sub(1).and_then(|before| self.wrench_of_row(before)), self.wrench_of_row(after))
         {
@@ -331,6 +340,15 @@ mod tests {
         assert_eq!((plates[0].at(-0.1), plates[0].at(1.1)), (None, None));
         assert_eq!(plates[0].at(1.0).unwrap().force_n[1], 200.0);
         assert_eq!(plates[1].at(0.0).unwrap().force_n, DVec3::new(1.0, 2.0, 3.0));
+    }
+
+    #[test]
+    fn no_force_is_known_in_a_long_gap() {
+        let rows = [0.0, 0.01, 0.02, 0.06, 0.07, 0.14].map(|time| format!("{time} 0 {} 0\n", 1e3 * time));
+        let text = format!("endheader\ntime F1x F1y F1z\n{}", rows.concat());
+        let plate = Plate::from_columns(&parsed_table(&text)).unwrap().remove(0);
+        let force_n = |time_s: f64| plate.at(time_s).map(|wrench| wrench.force_n[1].round());
+        assert_eq!([0.04, 0.07, 0.1, 0.14].map(force_n), [Some(40.0), Some(70.0), None, Some(140.0)]);
     }
 
     /// 100 N up at the centre (0.2, 0, 0) add 20 N m about z to the moment there.

@@ -8,8 +8,8 @@ use osim_model::messages::{Input, Phrase, phrase, readable, shown};
 use osim_model::{DVec3, Fault, MassRequest, Model};
 use osim_motion::correct::Correction;
 use osim_motion::{
-    AngleUnit, Belt, ContactStates, ExternalLoads, Foot, Gap, MeasuredForces, MotionFault, Plate,
-    PressureOnSole, Recording, RecordingOptions, StatesError, Summary, Table,
+    AngleUnit, Belt, ContactStates, ExternalLoads, Foot, Gap, LONGEST_BRIDGED_GAP_S, MeasuredForces,
+    MotionFault, Plate, PressureOnSole, Recording, RecordingOptions, StatesError, Summary, Table,
 };
 use osim_requests::{AngleChoice, MotionRequest, Positive, RequestFault, Result, Signed};
 
@@ -300,7 +300,10 @@ impl PlatesRead {
         };
         let name = self.file.file_name().unwrap_or_default().to_string_lossy();
         let (file, from, to) = (shown(&name), readable(longest.from_s), readable(longest.to_s));
-        let text = "the measured forces are taken along straight lines there";
+        let text = match longest.length_s() > LONGEST_BRIDGED_GAP_S {
+            true => "in gaps above 50 ms no force is known",
+            false => "the measured forces are taken along straight lines there",
+        };
         Some(format!("{file}: rows are missing in {count} from {from} to {to} s; {text}"))
     }
 }

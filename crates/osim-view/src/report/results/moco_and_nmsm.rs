@@ -3,6 +3,7 @@
 use std::fmt::Display;
 
 use osim_model::{ForceKind, Model, moving_spheres};
+use osim_motion::FootSummary;
 use osim_planning::{MocoStart, MotionResult, NextModels};
 
 use super::motion::{corrected_motion, moved_plates_xml, plates_sto, storage_file_text};
@@ -44,7 +45,9 @@ pub fn moco_files(result: &MotionResult, next: &NextModels) -> Vec<Vec<u8>> {
 fn feet(result: &MotionResult, model: &Model) -> String {
     let quoted = |text: &dyn Display| serde_json::json!(text.to_string()).to_string();
     let mut text = "{".to_owned();
-    for foot in result.summary.feet.iter().map(|foot| &foot.foot) {
+    let is_measured =
+        |foot: &&FootSummary| foot.comparison.is_some_and(|plates| plates.measured_peak_n > 0.0);
+    for foot in result.summary.feet.iter().filter(is_measured).map(|foot| &foot.foot) {
         let Some((first, others)) = foot.bodies.split_first() else { continue };
         let is_under = |force: &&osim_model::Force| {
             let spheres = moving_spheres(model, &[force.id]);

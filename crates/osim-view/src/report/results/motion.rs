@@ -317,16 +317,18 @@ pub fn ground_reactions_sto(result: &MotionResult, name: &str) -> String {
     })
 }
 
-/// The measured ground reactions in `frames`, at points that have moved back by the way of a belt. Each foot's force acts on its
-/// first body.
+/// The measured ground reactions in `frames`, without those in which no foot's force is known, at points that have moved back by the way
+/// of a belt. Each foot's force acts on its first body.
 pub(super) fn plates_sto(result: &MotionResult, frames: Range<usize>, way_m: &[DVec3], name: &str) -> String {
     let feet = || result.summary.feet.iter().map(|foot| &foot.foot);
     let labels: Vec<&str> = feet().filter_map(|foot| Some(foot.bodies.first()?.as_str())).collect();
-    let start = frames.start;
-    reactions_sto(&result.states.time_s[frames], &labels, name, |foot, row| {
-        let frame = start + row;
-        let wrench = result.measured.as_ref().and_then(|measured| *measured.feet.get(foot)?.get(frame)?);
-        let wrench = wrench.unwrap_or_default();
+    let measured = |foot: usize, frame: usize| *result.measured.as_ref()?.feet.get(foot)?.get(frame)?;
+    let is_known = |frame: &usize| (0..labels.len()).any(|foot| measured(foot, *frame).is_some());
+    let (frames, times): (Vec<usize>, Vec<f64>) =
+        frames.filter(is_known).map(|frame| (frame, result.states.time_s[frame])).unzip();
+    reactions_sto(&times, &labels, name, |foot, row| {
+        let frame = frames[row];
+        let wrench = measured(foot, frame).unwrap_or_default();
         let way_m = way_m.get(frame).copied().unwrap_or_default();
         let back = Wrench { moment_n_m: wrench.moment_n_m - way_m.cross(wrench.force_n), ..wrench };
         let first = feet().nth(foot).and_then(|foot| result.states.frame(frame).get(*foot.pairs.first()?));
