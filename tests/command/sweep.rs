@@ -250,7 +250,7 @@ fn wrong_calls_are_refused_before_anything_is_written() {
         ("emu.osim --grid indentation=0.1 --grid target_mass=2", "contradict"),
         ("emu.osim --grid indentation=0.1 --indentation 0.2", "both say"),
         ("emu.osim --ladder 1 --indentation 0.16", "from 2 to 100000"),
-        ("emu.osim --ladder 3 --indentation 0.16 --soft 20", "--soft"),
+        ("emu.osim --ladder 3 --indentation 0.16 --soft 20", "the last step has 9.375"),
         ("emu.osim --ladder 3 --indentation 0.16 --soft 0.7", "expected 0.75 or more"),
         ("emu.osim --ladder 3", "--indentation"),
         ("- --grid stiffness=x2", "one model"),

@@ -2,7 +2,7 @@
 
 use contact_scaling::{continuation, stiffness};
 use osim_model::files::{Failure, ModelFiles};
-use osim_model::messages::{Input, phrase, shortest};
+use osim_model::messages::{Input, four_significant, phrase, shortest};
 use osim_model::{Assignment, Property};
 use osim_requests::{RequestFault, SweepRequest};
 
@@ -44,7 +44,9 @@ impl SweepLadder {
         let ratio = if first_s_m > last_s_m && last_s_m > 0.0 { first_s_m / last_s_m } else { 1.0 };
         let soft = request.soft.get();
         let steps = continuation::steps(soft, last, ratio, count).map_err(|error| {
-            let message = phrase![Input::Soft, format!(" {}: {error}", shortest(soft))];
+            let last = four_significant(last);
+            let text = format!(" {}: {error}; the last step has {last}", shortest(soft));
+            let message = phrase![Input::Soft, text];
             RequestFault::refused(Input::Soft, message)
         })?;
         let dissipation_if_none = (last_s_m == 0.0 && first_s_m > 0.0).then_some(first_s_m);
