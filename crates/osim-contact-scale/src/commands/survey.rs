@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use anyhow::{Result, bail};
 use osim_library::{Disk, Sources, Survey, SurveyedModel, resolved};
 use osim_model::Severity;
-use osim_model::files::{Failure, FileError};
+use osim_model::files::{Failure, Files};
 use osim_model::messages::{Call, Input, Verb};
 use osim_planning::Inspector;
 use osim_requests::options::SheetFormat;
@@ -60,9 +60,10 @@ pub(crate) fn check(request: &CheckRequest, session: &mut Session) -> Result<Exi
     }
     let json = request.format == SheetFormat::Json;
     let recording = [&request.motion, &request.plates, &request.loads].into_iter().flatten();
-    let mut missing = recording.filter(|path| path.as_os_str() != "-" && !path.exists());
-    if let Some(path) = missing.next() {
-        let failure = Failure::outside(path.as_path(), "unreadable", FileError::not_found().to_string());
+    // A pipe is read once.
+    let mut no_files = recording.filter(|path| path.as_os_str() != "-" && (path.is_dir() || !path.exists()));
+    if let Some((path, error)) = no_files.find_map(|path| Some((path, Disk.read(path).err()?))) {
+        let failure = Failure::outside(path.as_path(), "unreadable", error.to_string());
         return session.report_failure(&failure, json);
     }
     let inspector = Inspector::for_check(request, &Disk);
