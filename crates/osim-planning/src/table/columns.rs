@@ -204,21 +204,43 @@ fn column(
     Ok(Column { header: cell.to_owned(), field, kind })
 }
 
+/// The spellings of the unit of options whose values the help calls `value_name`, the usual one first: in small letters, without blanks and
+/// marks. Empty for numbers without a unit.
+fn units_of(value_name: &str) -> &'static [&'static str] {
+    match value_name {
+        "KG" => &["kg", "kgs", "kilogram", "kilograms"],
+        "METRES" | "RULE" => &["m", "metre", "metres", "meter", "meters"],
+        "E" | "E1" | "N/M2" => &["n/m2", "pa", "pascal", "pascals", "nm-2"],
+        "N/M" => &["n/m", "nm-1"],
+        "M/S" => &["m/s", "ms-1"],
+        "G" => &["m/s2", "ms-2"],
+        "S_PER_M" => &["s/m", "sm-1"],
+        "PER_M" => &["1/m", "m-1", "/m"],
+        "M2" => &["m2"],
+        _ => &[],
+    }
+}
+
 /// Refuses a header such as `Target mass (lb)`, with another unit than that of the option `field`.
 fn refuse_other_unit(cell: &str, field: &str) -> Result<(), Phrase> {
     let Some((_, unit)) = cell.split_once(['(', '[']) else { return Ok(()) };
     let unit = unit.split([')', ']']).next().unwrap_or_default().trim_ascii();
+    let spelled = |words: &str| words.to_lowercase().replace('²', "2").replace([' ', '^', '·'], "");
     // `in kg` is kg.
-    let word = unit.split_ascii_whitespace().next_back().unwrap_or_default().to_ascii_lowercase();
-    let is_mass = option_named(Verb::Rescale, field).is_some_and(|option| option.value_name == "KG");
-    let expected = if is_mass { "kg" } else { "m" };
-    let is_right = match is_mass {
-        true => matches!(word.as_str(), "kg" | "kgs" | "kilogram" | "kilograms"),
-        false => !matches!(word.as_str(), "mm" | "cm" | "in" | "inch" | "inches"),
-    };
-    if is_right {
+    let last = spelled(unit.split_ascii_whitespace().next_back().unwrap_or_default());
+    let option = option_named(Verb::Rescale, field);
+    let units = option.map(|option| units_of(option.value_name)).unwrap_or_default();
+    let of_other = ["%", "percent", "mm", "cm", "in", "inch", "inches"].contains(&last.as_str());
+    let is_of_option = [spelled(unit), last].iter().any(|one| units.contains(&one.as_str()));
+    if is_of_option || (units.is_empty() && !of_other) {
         return Ok(());
     }
+    let expected = match units.first() {
+        Some(&"n/m2") => "N/m2",
+        Some(&"n/m") => "N/m",
+        Some(&usual) => usual,
+        None => "a number without a unit",
+    };
     let what = format!("numbers are not converted, expected {expected}, not {unit}");
     Err(format!("the column '{cell}': {what}{WAY_OUT}").into())
 }
@@ -322,10 +344,26 @@ mod tests {
 
     #[test]
     fn a_column_in_another_unit_is_refused() {
-        for header in ["mass (lb)", "mass [g]", "Contacts mass (stone)", "mass (N)", "radius (in mm)"] {
+        for (header, expected) in [
+            ("mass (lb)", "kg"),
+            ("mass [g]", "kg"),
+            ("Contacts mass (stone)", "kg"),
+            ("mass (N)", "kg"),
+            ("radius (in mm)", "m"),
+            ("stiffness (MPa)", "N/m2"),
+            ("young [GPa]", "N/m2"),
+            ("contact-stiffness (N/mm)", "N/m"),
+            ("transition velocity (mm/s)", "m/s"),
+            ("gravity (g)", "m/s2"),
+            ("hertz_smoothing (1/mm)", "1/m"),
+            ("static-friction (%)", "a number without a unit"),
+        ] {
             let message = columns_of(&["model", header]).unwrap_err().to_string();
-            assert!(message.contains("numbers are not converted, expected"), "{header}: {message}");
+            let expected = format!("numbers are not converted, expected {expected}, not ");
+            assert!(message.contains(&expected), "{header}: {message}");
         }
+        let right = ["model", "stiffness (in Pa)", "young [N / m^2]", "gravity (m/s²)", "poisson (-)"];
+        assert!(columns_of(&right).is_ok());
         assert!(columns_of(&["model", "Target mass (KG)", "radius [m]", "weight (lb)"]).is_ok());
         assert!(columns_of(&["model", "mass (in kg)", "Contacts mass [kilograms]", "radius (in m)"]).is_ok());
     }
