@@ -52,7 +52,17 @@ rule! { pub(super) UNEVEN_BOTTOMS: UnevenBottoms, Warning, Standing;
 /// Finds the limb whose bottoms differ most in height, if the difference is a warning.
 pub(super) fn find_uneven_bottoms(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> {
     let worst = UnevenLimb::worst(check)?;
-    worst.is_warning().then(|| FindingWithRemedy::new(worst.finding(&UNEVEN_BOTTOMS), level_feet(check)))
+    let finding = || FindingWithRemedy::new(worst.finding(&UNEVEN_BOTTOMS), level_feet(check));
+    worst.is_warning(check).then(finding)
+}
+
+/// How many times larger the radii are of contacts that are made for the mass of the bodies, where a note or the caller says that these are
+/// made for a smaller mass; else 1.
+fn growth_to_bodies(check: &FigureCheck<'_>) -> f64 {
+    let made_for = check.inspected.contacts_mass_kg.as_ref().filter(|mass| mass.from.is_about_contacts());
+    let bodies_kg = check.inspected.standing.iter().find_map(|body| body.mass_kg);
+    let ratio = bodies_kg.zip(made_for).map(|(bodies_kg, made_for)| bodies_kg / made_for.value);
+    ratio.map_or(1.0, |ratio| libm::cbrt(ratio).max(1.0))
 }
 
 /// The largest part of the larger radius by which the bottoms of spheres whose radii differ by up to four times are apart.
@@ -101,11 +111,13 @@ impl<'i> UnevenLimb<'i> {
         self.difference_radii > radii + ROUNDING_OF_HEIGHTS
     }
 
-    /// Whether the difference is a warning. It is not a warning if the foot leans so much that the difference follows from the pose.
-    fn is_warning(&self) -> bool {
+    /// Whether the difference is a warning. It is not a warning if the foot leans so much that the difference follows from the pose, or if it
+    /// is small for contacts that are made for the mass of these bodies.
+    fn is_warning(&self, check: &FigureCheck<'_>) -> bool {
         let tilt_rad = if self.tilt_rad > MOST_LEAN_RAD { self.tilt_rad } else { 0.0 };
         let of_pose_m = self.lowest.centre_m.distance(self.highest.centre_m) * libm::sin(tilt_rad);
-        self.differs_by_more_than(WARNING_DIFFERENCE_RADII + of_pose_m / self.lowest.radius_m)
+        let most_radii = WARNING_DIFFERENCE_RADII * growth_to_bodies(check);
+        self.differs_by_more_than(most_radii + of_pose_m / self.lowest.radius_m)
             && self.difference_at_zero_m.is_none()
     }
 
@@ -193,6 +205,6 @@ rule! { pub(super) UNLEVEL_FOOT: UnlevelFoot, Remark, Standing;
 /// Finds the limb whose bottoms differ most in height, unless the difference is a warning.
 pub(super) fn find_unlevel_foot(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> {
     let worst = UnevenLimb::worst(check)
-        .filter(|worst| worst.differs_by_more_than(REMARK_DIFFERENCE_RADII) && !worst.is_warning())?;
+        .filter(|worst| worst.differs_by_more_than(REMARK_DIFFERENCE_RADII) && !worst.is_warning(check))?;
     Some(worst.finding(&UNLEVEL_FOOT).into())
 }

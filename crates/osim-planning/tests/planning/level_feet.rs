@@ -4,7 +4,7 @@ use std::path::Path;
 
 use osim_inspect::{InspectOptions, Inspection};
 use osim_model::files::InMemory;
-use osim_model::{FileId, FindingCode, Model, Severity};
+use osim_model::{FileId, FindingCode, MassRequest, Model, Severity};
 use osim_patch::Plan;
 use osim_planning::prepare;
 use osim_requests::Request;
@@ -103,6 +103,19 @@ fn bottoms_that_radii_do_not_explain_are_not_made_level() {
         let found = check_with(MODEL_NAME, &text, &InspectOptions::default());
         assert!(has(&found, FindingCode::UnevenBottoms) && has(&found, accused), "{:?}", found.findings);
         assert!(found.steps.is_empty() && find(&found, FindingCode::UnevenBottoms).remedy.is_none());
+    }
+}
+
+/// The bodies weigh 62 kg. On contacts that are made for them, 21.8 mm are 0.682 R; radii for 20 kg are 1.458 times smaller, for 45 kg 1.113
+/// times, and the limit of half a radius is as much larger.
+#[test]
+fn bottoms_are_compared_with_radii_for_the_bodies() {
+    for (contacts_mass_kg, is_accused) in [(None, true), (Some(45.0), true), (Some(20.0), false)] {
+        let masses = MassRequest { contacts_mass_kg, ..MassRequest::default() };
+        let options = InspectOptions { masses, ..InspectOptions::default() };
+        let found = check_with(MODEL_NAME, UNEVEN_MODEL, &options);
+        assert_eq!(has(&found, FindingCode::UnevenBottoms), is_accused, "{contacts_mass_kg:?}");
+        assert_eq!(has(&found, FindingCode::UnlevelFoot), !is_accused, "{contacts_mass_kg:?}");
     }
 }
 
