@@ -261,7 +261,8 @@ fn a_broken_generic_model_is_reported_once() {
         assert_eq!(run.err().matches("truncated").count(), 1, "{}", run.err());
     }
     // A recording that is named has to be there, and is a file.
-    for (motion, says) in [("none.mot", "there is no such file"), (".", "this is a folder, expected an ordinary file")]
+    for (motion, says) in
+        [("none.mot", "there is no such file"), (".", "this is a folder, expected an ordinary file")]
     {
         let run = dir.run(&format!("check human.osim --motion {motion} --plates none.sto")).failed();
         assert!(run.err().contains(&format!("error: {motion}: {says}")), "{}", run.err());

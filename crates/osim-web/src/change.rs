@@ -181,9 +181,10 @@ impl PlannedChange {
                 (Sections::of_change(changed, wanted, self.words), findings, verdicts)
             }
         };
-        let results = self.results.iter().map(|made| {
-            json!({ "name": made.name.to_str().unwrap_or_default(), "bytes": made.bytes.len() })
-        });
+        let results = self
+            .results
+            .iter()
+            .map(|made| json!({ "name": made.name.to_str().unwrap_or_default(), "bytes": made.bytes.len() }));
         Ok(ChangeShown {
             record: PlanRecord::new(&self.plan, &self.opened.model.model, &self.opened.path, None, None),
             unchanged: self.is_unchanged(),

@@ -4,7 +4,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use foldhash::{HashMap, HashMapExt};
-use osim_model::feet::{DefaultPose, Movements, held_roots};
+use osim_model::feet::{DefaultPose, Movements, held_roots, placement_at_default_pose};
 use osim_model::messages::{shown, three_significant};
 use osim_model::{
     DVec3, Example, Finding, Force, Model, ModelJoint, Repair, Rule, Side, Sphere, SphereId, without_side,
@@ -223,8 +223,7 @@ impl<'m> LimbsFromFeet<'m> {
     /// The place of the joint above `body` on the parent at the default pose, m: some joints shift their child by functions.
     fn place_m(&self, body: &str) -> Option<DVec3> {
         let joint = self.above.get(body)?;
-        let defaults = joint.coordinates.iter().map(|coordinate| coordinate.default);
-        let placement = joint.placement(self.model, &defaults.collect::<Option<Vec<f64>>>()?)?;
+        let placement = placement_at_default_pose(self.model, joint)?;
         Some(placement.point(joint.in_child.translation_m))
     }
 

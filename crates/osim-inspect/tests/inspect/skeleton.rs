@@ -91,6 +91,28 @@ fn a_bone_that_is_far_from_its_own_joint_is_unlike_its_counterpart() {
     assert!(!is_found(&format!("{before}<Body name=\"toes_l\">{toes}")));
 }
 
+/// As in OpenSim's Jumper: the Scale Tool scales the function of such a constraint, and leaves the default value.
+#[test]
+fn a_constraint_sets_the_place_of_a_joint() {
+    let slider = HUMAN.replacen("<PinJoint name=\"leg_r\">", "<SliderJoint name=\"leg_r\">", 1);
+    let slider = slider.replacen("</PinJoint>", "</SliderJoint>", 1);
+    let text = [("leg_r", "0.5"), ("mtp_r", "0")].into_iter().fold(slider, |text, (joint, value)| {
+        let (before, after) = text.split_once(&format!(" name=\"{joint}\">")).unwrap();
+        let own = format!(
+            "<coordinates><Coordinate name=\"q_{joint}\"><default_value>{value}</default_value></Coordinate></coordinates><frames>"
+        );
+        format!("{before} name=\"{joint}\">{}", after.replacen("<frames>", &own, 1))
+    });
+    let coupled = "<ConstraintSet><objects><CoordinateCouplerConstraint><coupled_coordinates_function><LinearFunction><coefficients>1 0\
+                   </coefficients></LinearFunction></coupled_coordinates_function><independent_coordinate_names>q_mtp_r\
+                   </independent_coordinate_names><dependent_coordinate_name>q_leg_r</dependent_coordinate_name>\
+                   </CoordinateCouplerConstraint></objects></ConstraintSet><ForceSet";
+    let coupled = text.replacen("<ForceSet", coupled, 1);
+    let is_found =
+        |text: &str| findings_of_text(text).iter().any(|one| one.code() == FindingCode::LeftRightBones);
+    assert!(is_found(&text) && !is_found(&coupled));
+}
+
 /// As in OpenSim's ArmCurlingFullBody.osim, whose right arm hangs on the thorax without a scapula.
 #[test]
 fn arms_on_which_nothing_stands_may_be_unlike() {

@@ -140,7 +140,12 @@ impl Placements {
     }
 }
 
-/// Placement of the joint's child frame in its parent frame, at these values of its coordinates.
+/// Placement of the joint's child body in its parent body at the default pose; `None` if it is not known.
+pub fn placement_at_default_pose(model: &Model, joint: &ModelJoint) -> Option<Placement> {
+    joint_placement(model, &CoordinateValues::at_default_pose(model).values, joint).ok()
+}
+
+/// Placement of the joint's child body in its parent body, at these values of its coordinates.
 fn joint_placement(
     model: &Model,
     known: &HashMap<String, f64>,

@@ -45,7 +45,7 @@ mod standing;
 pub use crate::model::angle_between;
 pub use bones::{AttachedBones, Bone, MeshFolders, OddMesh, attached_surface, bones, odd_meshes, odd_size};
 pub use contact_planes::{ContactPlane, PairsOfForce, PlaneSurface, STEEPEST_FLOOR_RAD};
-pub use default_pose::{DefaultPose, JointStep, joints_from_ground};
+pub use default_pose::{DefaultPose, JointStep, joints_from_ground, placement_at_default_pose};
 pub use fault::{FeetFault, PoseFault};
 pub use foot::{
     FloorPlace, Foot, FootBodies, FootBone, FootFrame, FootJoint, FootSphere, ViewAxes, silhouette,

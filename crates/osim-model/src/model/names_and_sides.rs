@@ -156,7 +156,8 @@ pub fn nearest_names<'n>(
         let half = written.len().min(other.len()).saturating_sub(1) / 2;
         let most_wrong = most_wrong.min(half);
         let (own_count, count) = (written.chars().count(), other.chars().count());
-        let wrong = (own_count.abs_diff(count) <= most_wrong).then(|| strsim::osa_distance(&written, &other))?;
+        let wrong =
+            (own_count.abs_diff(count) <= most_wrong).then(|| strsim::osa_distance(&written, &other))?;
         (wrong <= most_wrong).then_some((wrong, name))
     };
     let near: Vec<(usize, &str)> = known.into_iter().filter_map(wrong_letters).collect();

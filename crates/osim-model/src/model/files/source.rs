@@ -39,7 +39,7 @@ impl FileName {
     pub fn to_path(&self) -> PathBuf {
         #[cfg(unix)]
         if let Some(bytes) = &self.bytes {
-            return <std::ffi::OsStr as std::os::unix::ffi::OsStrExt>::from_bytes(bytes).into();
+            return <OsStr as std::os::unix::ffi::OsStrExt>::from_bytes(bytes).into();
         }
         PathBuf::from(&self.text)
     }
@@ -230,7 +230,7 @@ mod tests {
     fn a_name_that_is_no_utf8_keeps_its_bytes() {
         use std::os::unix::ffi::OsStrExt;
 
-        let name = FileName::from(Path::new(std::ffi::OsStr::from_bytes(b"m\xE4use.osim")));
+        let name = FileName::from(Path::new(OsStr::from_bytes(b"m\xE4use.osim")));
         assert_eq!(&*name, "m\u{FFFD}use.osim");
         assert_eq!(name.bytes(), Some(b"m\xE4use.osim".as_slice()));
         assert_eq!(name.to_path().as_os_str().as_bytes(), b"m\xE4use.osim");
