@@ -102,7 +102,15 @@ impl Sheet {
     /// # Errors
     /// Commas separate the cells of this table, or thousands in this number.
     pub(crate) fn with_decimal_point<'c>(&self, cell: &'c str) -> Result<Cow<'c, str>, &'static str> {
-        with_decimal_point(cell, self.delimiter)
+        if is_broken_formula(cell) {
+            return Err(BROKEN_FORMULA_MESSAGE);
+        }
+        match (cell.matches(',').count(), cell.contains('.')) {
+            (0, _) => Ok(cell.into()),
+            (1, false) if self.delimiter != b',' => Ok(cell.replace(',', ".").into()),
+            (1, false) => Err("has a decimal comma: separate the columns by ; or write a decimal point"),
+            _ => Err("has separators between thousands, expected a plain number"),
+        }
     }
 
     /// Reads a cell with one plain finite number.
@@ -186,19 +194,6 @@ pub(crate) fn is_broken_formula(cell: &str) -> bool {
     let numbered =
         cell.strip_prefix("Err:").is_some_and(|rest| rest.bytes().all(|byte| byte.is_ascii_digit()));
     numbered || FORMULA_ERRORS.split(' ').any(|known| known.eq_ignore_ascii_case(cell))
-}
-
-/// The text of a number with a decimal point instead of a comma; an error if commas separate columns or thousands.
-fn with_decimal_point(cell: &str, delimiter: u8) -> Result<Cow<'_, str>, &'static str> {
-    if is_broken_formula(cell) {
-        return Err(BROKEN_FORMULA_MESSAGE);
-    }
-    match (cell.matches(',').count(), cell.contains('.')) {
-        (0, _) => Ok(cell.into()),
-        (1, false) if delimiter != b',' => Ok(cell.replace(',', ".").into()),
-        (1, false) => Err("has a decimal comma: separate the columns by ; or write a decimal point"),
-        _ => Err("has separators between thousands, expected a plain number"),
-    }
 }
 
 /// The largest number of rows of wrong length that a message lists.
@@ -355,10 +350,11 @@ mod tests {
 
     #[test]
     fn decimal_commas_are_read_if_semicolons_separate_the_cells() {
-        assert_eq!(with_decimal_point("1,5", b';').unwrap(), "1.5");
-        assert_eq!(with_decimal_point("1.5", b';').unwrap(), "1.5");
-        assert!(with_decimal_point("1.234,5", b';').is_err());
-        assert!(with_decimal_point("1,5", b',').is_err());
+        let (semicolons, commas) = (Sheet::read(b"a;b\n").unwrap(), Sheet::read(b"a,b\n").unwrap());
+        assert_eq!(semicolons.with_decimal_point("1,5").unwrap(), "1.5");
+        assert_eq!(semicolons.with_decimal_point("1.5").unwrap(), "1.5");
+        assert!(semicolons.with_decimal_point("1.234,5").is_err());
+        assert!(commas.with_decimal_point("1,5").is_err());
     }
 
     #[test]

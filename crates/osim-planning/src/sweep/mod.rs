@@ -11,7 +11,7 @@ use std::path::Path;
 
 use osim_inspect::{Figure, unexplained_mass};
 use osim_model::files::{Failure, ModelFiles};
-use osim_model::messages::{Phrase, shortest};
+use osim_model::messages::shortest;
 use osim_model::{MassRequest, PropertySet, YesQuestion};
 use osim_requests::{AxisName, RequestError, RequestFault, Result, SweepRequest};
 
@@ -198,8 +198,7 @@ impl<'s> SweepPlan<'s> {
         };
         for index in points {
             let job = self.job_of_variant(index)?;
-            self.make_variant(&job).map_err(|mut failure| {
-                failure.message = message_with_point(&failure, &job);
+            self.make_variant(&job).map_err(|failure| {
                 // A question stays a failure, because its code answers it; so does a model that cannot be used whatever is asked.
                 let is_of_model = failure.line.is_some() && self.original.unusable.is_some();
                 match failure.code.parse::<YesQuestion>() {
@@ -236,10 +235,7 @@ impl<'s> SweepPlan<'s> {
         let job = self
             .job_of_variant(index)
             .map_err(|fault| Failure::outside(self.model.name(), "refused", fault.phrase()))?;
-        let mut variant = self.make_variant(&job).map_err(|mut failure| {
-            failure.message = message_with_point(&failure, &job);
-            failure
-        })?;
+        let mut variant = self.make_variant(&job)?;
         let bytes = std::mem::take(&mut variant.bytes);
         Ok(MadeVariant {
             bytes,
@@ -252,9 +248,14 @@ impl<'s> SweepPlan<'s> {
         })
     }
 
-    /// Makes a variant in memory.
+    /// Makes a variant in memory. A failure says at which point.
     fn make_variant(&self, job: &VariantJob) -> Result<Variant, Failure> {
-        Variant::of_stages(self.request, &self.model, &job.stages, &job.operation, job.target_mass_kg)
+        let VariantJob { operation, target_mass_kg, stages, .. } = job;
+        let variant = Variant::of_stages(self.request, &self.model, stages, operation, *target_mass_kg);
+        variant.map_err(|mut failure| {
+            failure.message.push(format!(" ({operation})"));
+            failure
+        })
     }
 
     /// The changes that make the variant with this index.
@@ -277,13 +278,6 @@ impl<'s> SweepPlan<'s> {
             stages: ladder.stages(self.request, index)?,
         })
     }
-}
-
-/// The message of a failure, with the point that it is about.
-fn message_with_point(failure: &Failure, job: &VariantJob) -> Phrase {
-    let mut message = failure.message.clone();
-    message.push(format!(" ({})", job.operation));
-    message
 }
 
 /// The beginning of the name of a column with the values of an axis.

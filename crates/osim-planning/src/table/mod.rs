@@ -78,11 +78,7 @@ impl Table {
 
     /// The request of one row.
     fn request(&self, row: &Row, call: &OutputOptions, files: &dyn Files) -> Result<RowRequest, RowFault> {
-        let cells = RowCells::read(row, &self.columns, &self.sheet, &self.folder, files)?;
-        let output = output_options_of_row(&cells, call)?;
-        let RowCells { verb, model, fields, .. } = cells;
-        let user_columns = self.columns.user_columns(&row.cells);
-        Ok(RowRequest { line: row.line, verb, model, output, user_columns, fields })
+        RowRequest::read(row, &self.columns, &self.sheet, &self.folder, files)?.with_output_options(call)
     }
 
     /// Checks the request of a row and prepares the change.
@@ -175,29 +171,6 @@ impl Table {
     }
 }
 
-/// Output options of a row: the options in its cells, else the options of the call.
-fn output_options_of_row(cells: &RowCells, call: &OutputOptions) -> Result<OutputOptions, RowFault> {
-    let named = cells.output.is_some() || cells.output_dir.is_some();
-    if cells.output.as_deref() == Some(Path::new("-")) {
-        return Err(RowFault::of("output", "standard output takes one model: name a file"));
-    }
-    if cells.output.is_some() && cells.output_dir.is_some() {
-        return Err(RowFault::of("output-dir", "the row has an output already: leave one cell empty"));
-    }
-    if named && cells.has_flag("in_place") {
-        return Err(RowFault::of("in-place", "the row has an output already: leave one cell empty"));
-    }
-    let mut output = OutputOptions::default();
-    output.output.clone_from(&cells.output);
-    output.geometry_output.clone_from(&cells.geometry_output);
-    output.output_dir.clone_from(if named { &cells.output_dir } else { &call.output_dir });
-    output.in_place = cells.has_flag("in_place") || (call.in_place && !named);
-    output.no_backup = cells.has_flag("no_backup") || call.no_backup;
-    output.force = cells.has_flag("force") || call.force;
-    output.no_note = cells.has_flag("no_note") || call.no_note;
-    Ok(output)
-}
-
 /// What is wrong with a row of a table of models.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RowFault {
@@ -218,17 +191,9 @@ impl RowFault {
     }
 }
 
-/// The cells of one row of a table of models, as the fields of a request.
-struct RowCells {
-    pub verb: Verb,
-    pub model: PathBuf,
-    pub output: Option<PathBuf>,
-    pub output_dir: Option<PathBuf>,
-    pub geometry_output: Option<PathBuf>,
-    pub fields: Map<String, Value>,
-}
+// The cells of a row, as the fields of its request.
 
-impl RowCells {
+impl RowRequest {
     /// Reads the cells of `row`. `folder` is the folder of the table.
     ///
     /// # Errors
@@ -241,11 +206,11 @@ impl RowCells {
         files: &dyn Files,
     ) -> Result<Self, RowFault> {
         let mut cells = Self {
+            line: row.line,
             verb: verb_of_row(row, columns)?,
             model: PathBuf::new(),
-            output: None,
-            output_dir: None,
-            geometry_output: None,
+            output: OutputOptions::default(),
+            user_columns: columns.user_columns(&row.cells),
             fields: Map::new(),
         };
         for (column, cell) in filled_cells(row, columns) {
@@ -288,6 +253,29 @@ impl RowCells {
         Ok(cells)
     }
 
+    /// The request with all options for its output: those in the row's cells, else those of the call.
+    fn with_output_options(mut self, call: &OutputOptions) -> Result<Self, RowFault> {
+        let OutputOptions { output, output_dir, .. } = &self.output;
+        let named = output.is_some() || output_dir.is_some();
+        if output.as_deref() == Some(Path::new("-")) {
+            return Err(RowFault::of("output", "standard output takes one model: name a file"));
+        }
+        if output.is_some() && output_dir.is_some() {
+            return Err(RowFault::of("output-dir", "the row has an output already: leave one cell empty"));
+        }
+        if named && self.has_flag("in_place") {
+            return Err(RowFault::of("in-place", "the row has an output already: leave one cell empty"));
+        }
+        if !named {
+            self.output.output_dir.clone_from(&call.output_dir);
+        }
+        self.output.in_place = self.has_flag("in_place") || (call.in_place && !named);
+        self.output.no_backup = self.has_flag("no_backup") || call.no_backup;
+        self.output.force = self.has_flag("force") || call.force;
+        self.output.no_note = self.has_flag("no_note") || call.no_note;
+        Ok(self)
+    }
+
     fn has_flag(&self, flag: &str) -> bool {
         self.fields.get(flag) == Some(&Value::Bool(true))
     }
@@ -300,9 +288,9 @@ impl RowCells {
     /// Sets a field of the row's request that is a path.
     fn set_path(&mut self, field: &str, path: PathBuf) {
         match field {
-            "output" => self.output = Some(path),
-            "output_dir" => self.output_dir = Some(path),
-            "geometry_output" => self.geometry_output = Some(path),
+            "output" => self.output.output = Some(path),
+            "output_dir" => self.output.output_dir = Some(path),
+            "geometry_output" => self.output.geometry_output = Some(path),
             _ => self.set_field(field, path::to_value(&path)),
         }
     }
