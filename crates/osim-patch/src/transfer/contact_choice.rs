@@ -3,8 +3,8 @@
 use contact_scaling::{DimensionlessContact, Scale, ScaleValues};
 use foldhash::{HashMap, HashMapExt};
 use osim_model::{
-    Fault, FaultKind, Force, MissingFact, Model, Property, Result, Selected, SphereId, Surfaces,
-    moving_spheres, sphere_sets,
+    Fault, Force, MissingFact, Model, Property, Result, Selected, SphereId, Surfaces, moving_spheres,
+    sphere_sets,
 };
 
 use crate::builder::{NewNumber, PlanBuilder};
@@ -63,11 +63,7 @@ impl<'t> ContactChoice<'t> {
                 let at = contact.spheres.iter().position(|known| known == name)?;
                 Some(Self::Named { contact, radius_m: *contact.radii_m.get(at)? })
             });
-            return named.ok_or_else(|| {
-                let known = contacts.iter().flat_map(|contact| &contact.spheres).cloned().collect();
-                let reference = wanted.reference.name.clone();
-                Fault::new(FaultKind::UnknownReferenceSphere { sphere: name.clone(), reference, known })
-            });
+            return named.ok_or_else(|| wanted.reference.without_sphere(name));
         }
         if wanted.follow.is_some() {
             // Following has matched every sphere by its name already.

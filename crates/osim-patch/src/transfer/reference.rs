@@ -3,8 +3,8 @@
 use contact_scaling::{Contact, ContactValues, Preset, RatioValues, Ratios, SmoothingValues};
 use osim_model::compare::Follow;
 use osim_model::{
-    Class, DissipationBy, Fault, ForceKind, LevelAxis, Mass, MassSource, Model, Property, PropertySet,
-    RadiusRule, Result, Selected, Surfaces, contact_of_set, root_mean_square, sphere_sets,
+    Class, DissipationBy, Fault, FaultKind, ForceKind, LevelAxis, Mass, MassSource, Model, Property,
+    PropertySet, RadiusRule, Result, Selected, Surfaces, contact_of_set, root_mean_square, sphere_sets,
 };
 
 use crate::change::{ChangedBy, property_factor};
@@ -61,6 +61,13 @@ impl Reference {
     /// The fault that the reference has no contacts.
     pub fn without_contacts(&self) -> Fault {
         Fault::refused(format!("the reference {} has no contacts to take", self.name))
+    }
+
+    /// The fault if no contact of the reference has the chosen `sphere`.
+    pub fn without_sphere(&self, sphere: &str) -> Fault {
+        let known = self.contacts.iter().flat_map(|contact| &contact.spheres).cloned().collect();
+        let (sphere, reference) = (sphere.to_owned(), self.name.clone());
+        Fault::new(FaultKind::UnknownReferenceSphere { sphere, reference, known })
     }
 }
 

@@ -153,15 +153,7 @@ impl ReferenceNumbers {
         let named = |wanted: &str| contacts.get(*self.by_sphere.get(wanted)?);
         let none = || self.reference.without_contacts();
         match &self.transfer_planner.reference_sphere {
-            Some(chosen) => named(chosen).ok_or_else(|| {
-                let spheres = contacts.iter().map(|contact| contact.sphere.clone()).collect();
-                let reference = self.reference.name.clone();
-                Fault::new(FaultKind::UnknownReferenceSphere {
-                    sphere: chosen.clone(),
-                    reference,
-                    known: spheres,
-                })
-            }),
+            Some(chosen) => named(chosen).ok_or_else(|| self.reference.without_sphere(chosen)),
             None => name.and_then(named).or(contacts.first()).ok_or_else(none),
         }
     }
