@@ -177,9 +177,10 @@ fn end_of_leading_text(tree: &Tree, parent: ElementId, start: usize) -> usize {
     }
 }
 
-/// `span`, extended to the line end and indentation before it.
-pub(crate) fn with_white_space_before(tree: &Tree, span: Range<usize>) -> Range<usize> {
-    span.start - white_space_before(tree, span.start).len()..span.end
+/// The edit that removes the bytes `span`, and the line end and indentation before them.
+pub(crate) fn removal_edit(tree: &Tree, span: Range<usize>) -> Edit {
+    let start = span.start - white_space_before(tree, span.start).len();
+    Edit { span: start..span.end, text: String::new() }
 }
 
 /// Line end and indentation before byte `at`; empty if other text is on that line.

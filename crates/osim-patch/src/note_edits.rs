@@ -10,9 +10,7 @@ use osim_model::{
 };
 
 use crate::edit::{Edit, splice};
-use crate::insert::{
-    EmptyForm, NewElement, end_of_empty_tag, insert, insert_first_comment, with_white_space_before,
-};
+use crate::insert::{EmptyForm, NewElement, end_of_empty_tag, insert, insert_first_comment, removal_edit};
 
 /// The elements that OpenSim writes before and after `<credits>` in a model.
 const ORDER_AROUND_CREDITS: [&str; 6] =
@@ -193,11 +191,6 @@ fn edits_in_credits(tree: &Tree, credits: &Credits<'_>, edits: Vec<(Range<usize>
         return Vec::new();
     }
     vec![Edit { span: end_of_empty_tag(tree, credits.element), text: format!(">{text}</{CREDITS_TAG}>") }]
-}
-
-/// The edit that removes the bytes `span` and the white space before them.
-fn removal_edit(tree: &Tree, span: Range<usize>) -> Edit {
-    Edit { span: with_white_space_before(tree, span), text: String::new() }
 }
 
 /// The largest number of steps in a note: the first step and the latest ones are kept.

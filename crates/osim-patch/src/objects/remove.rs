@@ -11,7 +11,7 @@ use osim_model::{
 
 use crate::builder::refuse_included;
 use crate::edit::{Edit, model_with_edits};
-use crate::insert::with_white_space_before;
+use crate::insert::removal_edit;
 use crate::objects::add::MARK_OF_MADE_FLOOR;
 use crate::objects::rebuilt::{
     EarlierNote, ObjectAction, ObjectChange, OuterSpans, RebuiltModel, geometry_names, geometry_references,
@@ -153,9 +153,9 @@ fn removal_edits(model: &Model, elements: &[ElementId], made: &mut String) -> Ve
     let restored = OuterSpans::of(edits.iter().map(|edit| edit.span.clone()).collect());
     let gone = OuterSpans::of(elements.iter().map(|&element| tree.span(element)).collect());
     for span in gone.spans() {
-        let span = with_white_space_before(tree, span.clone());
-        if !restored.covers(&span) {
-            edits.push(Edit { span, text: String::new() });
+        let edit = removal_edit(tree, span.clone());
+        if !restored.covers(&edit.span) {
+            edits.push(edit);
         }
     }
     edits

@@ -4,9 +4,7 @@
 use osim_model::{ElementId, Fault, FaultKind, Irregularity, Model, Result, Tree};
 
 use crate::edit::{Edit, model_with_edits};
-use crate::insert::{
-    EmptyForm, NewElement, append, escaped_attribute, fill, insert, with_white_space_before,
-};
+use crate::insert::{EmptyForm, NewElement, append, escaped_attribute, fill, insert, removal_edit};
 use crate::objects::rebuilt::{EarlierNote, ObjectAction, ObjectChange, RebuiltModel};
 
 /// The elements of a model around its sets, in the order in which OpenSim writes them.
@@ -115,20 +113,16 @@ impl ObjectSet {
         let form = |letters: &[(char, EmptyForm); 3]| {
             letters.iter().find(|(letter, _)| made.contains(*letter)).map(|(_, form)| *form)
         };
-        let whole = |element| {
-            let span = with_white_space_before(tree, tree.span(element));
-            Some(Edit { span, text: String::new() })
-        };
         let [of_set, of_objects] = &self.opened;
         if made.contains(self.whole) {
-            return whole(set);
+            return Some(removal_edit(tree, tree.span(set)));
         }
         if let Some(form) = form(of_set) {
             return Some(form.restored(tree, set));
         }
         let objects = tree.child(set, OBJECTS_TAG)?;
         if made.contains(self.objects) {
-            return whole(objects);
+            return Some(removal_edit(tree, tree.span(objects)));
         }
         form(of_objects).map(|form| form.restored(tree, objects))
     }
