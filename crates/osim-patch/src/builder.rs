@@ -165,10 +165,7 @@ impl<'m> PlanBuilder<'m> {
             return Ok(());
         }
         if change.property == Property::ConstantContactForce && change.to == 0.0 {
-            let kind = FaultKind::ZeroConstantContactForce;
-            return Err(Fault::at(kind, change.slot.offset)
-                .at_element(change.path)
-                .in_file(change.slot.file));
+            return Err(change.at(Fault::new(FaultKind::ZeroConstantContactForce)));
         }
         refuse_included(self.model, change.slot.file, &change.path)?;
         if self.planned.insert(ValueKey::from((&change.slot, change.property))) {

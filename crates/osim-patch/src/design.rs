@@ -8,14 +8,13 @@ use contact_scaling::{
 use osim_model::messages::{Phrase, counted, phrase, readable};
 use osim_model::{
     DissipationBy, Fault, Force, ForceKind, GravityFor, Mass, MissingFact, Model, Note, Property,
-    PropertySet, RadiusRule, Result, Scope, Selected, SetId, are_equal_gravities, is_at_target,
-    moving_spheres,
+    PropertySet, RadiusRule, Result, Selected, SetId, are_equal_gravities, is_at_target, moving_spheres,
 };
 
 use crate::builder::{NewNumber, PlanBuilder, change_composite, scale_with_radius};
 use crate::change::{ChangedBy, property_factor};
 use crate::new_radii::{Radii, SphereRadiusRule};
-use crate::note::KeptMass;
+use crate::note::NotedMass;
 use crate::plan::{Masses, NoteFacts, Plan};
 use crate::rules::{self, REMARK_PLACES_STAY, remark_on_equilibrium, remark_on_moved_bottoms};
 
@@ -161,13 +160,7 @@ pub fn design(model: &Model, selected: &Selected, wanted: &Design) -> Result<Pla
     Ok(Plan::new(
         model,
         Plan { changes, moves, masses, taken: wanted.describe(), findings, remarks, ..Plan::default() },
-        &NoteFacts {
-            followed: None,
-            target_mass_kg: made.kg,
-            gravity_m_s2,
-            scope: made.scope,
-            operation: "design",
-        },
+        &NoteFacts { made, gravity_m_s2, operation: "design", followed: None },
     ))
 }
 
@@ -188,20 +181,20 @@ impl Design {
     ///
     /// | wanted behaviour | mass before the design | note after the design |
     /// |---|---|---|
-    /// | nothing that depends on a load | any | as in [`KeptMass::of`] |
+    /// | nothing that depends on a load | any | as in [`NotedMass::of`] |
     /// | an indentation under the weight of M | M | M, all |
     /// | an indentation under the weight of M | another mass, or in doubt | M, partial; all if the design is `complete` |
     /// | an indentation under a load in N | any | no mass, partial |
-    fn mass_for_note(&self, model: &Model, complete: bool) -> KeptMass {
+    fn mass_for_note(&self, model: &Model, complete: bool) -> NotedMass {
         let Some(target) = &self.target_mass else {
-            let kept = || KeptMass::of(model, None);
-            return self.load.map_or_else(kept, |_| KeptMass { kg: None, scope: Scope::Partial });
+            let kept = || NotedMass::of(model, None);
+            return self.load.map_or_else(kept, |_| NotedMass::new(None, false));
         };
         let noted = model.note.as_ref();
         let agrees = self.contacts_mass.as_ref().is_some_and(|before| is_at_target(before.kg, target.kg))
             && self.is_under_gravity_of_note(noted, model);
         let kg = noted.and_then(|note| note.contacts_mass_kg).filter(|_| agrees).unwrap_or(target.kg);
-        KeptMass { kg: Some(kg), scope: if agrees || complete { Scope::All } else { Scope::Partial } }
+        NotedMass::new(Some(kg), agrees || complete)
     }
 
     /// Whether the gravity of the design is the gravity in the note; true if the note has none.

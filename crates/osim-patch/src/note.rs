@@ -35,13 +35,8 @@ pub fn note(
     let contacts_mass = Mass { kg, source: MassSource::ContactsMass };
     let taken =
         phrase![&contacts_mass.contacts_made_for(), ": the note in the file says so; no number changes"];
-    let facts = NoteFacts {
-        target_mass_kg: Some(kg),
-        gravity_m_s2,
-        scope: Scope::All,
-        operation: "note",
-        followed: None,
-    };
+    let made = NotedMass::new(Some(kg), true);
+    let facts = NoteFacts { made, gravity_m_s2, operation: "note", followed: None };
     let masses = Some(Masses::unchanged(contacts_mass));
     let plan = Plan::new(model, Plan { masses, taken, ..Plan::default() }, &facts);
     let same = format!("the note in the file says {} kg already", readable(kg));
@@ -51,15 +46,9 @@ pub fn note(
 /// Plans a note of how many `stance_limbs` share the weight. The mass that the contacts of `model` were made for stays as in the
 /// present note; without a note, the contacts count as made for the mass of the bodies.
 pub fn note_stance_limbs(model: &Model, stance_limbs: f64) -> Plan {
-    let KeptMass { kg, scope } = KeptMass::of(model, None);
-    let noted = model.note.as_ref();
-    let facts = NoteFacts {
-        target_mass_kg: kg,
-        gravity_m_s2: noted.map_or(model.gravity(), |note| note.gravity_m_s2),
-        scope,
-        operation: "note",
-        followed: None,
-    };
+    let gravity_m_s2 = model.note.as_ref().map_or(model.gravity(), |note| note.gravity_m_s2);
+    let made = NotedMass::of(model, None);
+    let facts = NoteFacts { made, gravity_m_s2, operation: "note", followed: None };
     let limbs = note_edits::limbs_in_words(stance_limbs);
     let taken = format!("{limbs}: the note in the file says so; no number changes");
     let plan = Plan::new(model, Plan { taken: taken.into(), ..Plan::default() }, &facts);
@@ -121,13 +110,18 @@ pub(crate) fn leaves_noted_contacts(model: &Model, rebuilt: &Model) -> bool {
     on_ground(rebuilt) || (!on_ground(model) && !rebuilt.forces().is_empty())
 }
 
-/// The mass and scope of the note after a change that does not change the mass that contacts are made for.
-pub(crate) struct KeptMass {
+/// The mass and scope of the note after a change.
+pub(crate) struct NotedMass {
     pub(crate) kg: Option<f64>,
     pub(crate) scope: Scope,
 }
 
-impl KeptMass {
+impl NotedMass {
+    /// A note about `all` contacts or a part of them.
+    pub(crate) fn new(kg: Option<f64>, all: bool) -> Self {
+        Self { kg, scope: if all { Scope::All } else { Scope::Partial } }
+    }
+
     /// The mass and scope of the note after a change of `model`; `contacts_mass` is the mass that its contacts were made for.
     /// In the table, a note has a mass (M) or none, and the scope all or partial:
     ///
@@ -142,10 +136,9 @@ impl KeptMass {
     pub(crate) fn of(model: &Model, contacts_mass: Option<&Mass>) -> Self {
         let said = contacts_mass.filter(|mass| mass.source == MassSource::ContactsMass);
         let noted = model.note.as_ref().and_then(|note| note.contacts_mass_kg);
-        match (said, model.doubt_about_note()) {
-            (Some(mass), _) => Self { kg: Some(mass.kg), scope: Scope::All },
-            (None, Some(_)) => Self { kg: noted, scope: Scope::Partial },
-            (None, None) => Self { kg: noted, scope: Scope::All },
+        match said {
+            Some(mass) => Self::new(Some(mass.kg), true),
+            None => Self::new(noted, model.doubt_about_note().is_none()),
         }
     }
 }

@@ -14,6 +14,7 @@ use osim_model::{
 use crate::change::{ChangedBy, NumberChange, PlaceChange};
 use crate::edit::{Edit, Patch};
 use crate::insert::{NewElement, insert};
+use crate::note::NotedMass;
 use crate::note_edits::{self, StepDetails};
 use crate::objects::{EarlierNote, ObjectChange, RebuiltModel};
 
@@ -135,9 +136,8 @@ pub(crate) const TRANSFER_OPERATION: &str = "transfer";
 
 /// Facts for the note of a plan besides digests of the values.
 pub(crate) struct NoteFacts<'o> {
-    pub(crate) target_mass_kg: Option<f64>,
+    pub(crate) made: NotedMass,
     pub(crate) gravity_m_s2: Option<f64>,
-    pub(crate) scope: Scope,
     pub(crate) operation: &'o str,
     /// Spheres that move with their bodies, also if their location does not change; `None` if spheres do not move with
     /// bodies.
@@ -230,13 +230,13 @@ impl Plan {
         let from_mass_kg = plan.masses.as_ref().filter(is_other).map(|masses| masses.contacts_mass.kg);
         let step = Step { from_mass_kg, ..Step::new(facts.operation) };
         // Earlier steps are about other contacts if all contacts are new.
-        let is_new = facts.operation == TRANSFER_OPERATION && facts.scope == Scope::All;
+        let is_new = facts.operation == TRANSFER_OPERATION && facts.made.scope == Scope::All;
         let earlier = if is_new { Vec::new() } else { note_edits::earlier_steps(model) };
         let note = Some(Note {
             version: env!("CARGO_PKG_VERSION").to_owned(),
-            contacts_mass_kg: facts.target_mass_kg.map(rounded_to_15_digits),
+            contacts_mass_kg: facts.made.kg.map(rounded_to_15_digits),
             gravity_m_s2: facts.gravity_m_s2,
-            scope: facts.scope,
+            scope: facts.made.scope,
             steps: note_edits::steps_after(earlier, step),
             stance_limbs: model.note.as_ref().and_then(|note| note.stance_limbs),
             weighed_kg: MassRequest::default().bodies_kg(model).map(rounded_to_15_digits),

@@ -5,12 +5,13 @@ use osim_model::compare::ScaleFile;
 use osim_model::messages::{Input, four_significant, readable};
 use osim_model::{
     DissipationBy, Fault, GravityFor, LevelAxis, Mass, MissingFact, Model, Property, PropertySet, RadiusRule,
-    Result, Scope, Selected, is_at_target, positive_mass,
+    Result, Selected, is_at_target, positive_mass,
 };
 
 use crate::builder::{NewNumber, PlanBuilder};
 use crate::change::{GravityChange, property_factor};
 use crate::new_radii::{Radii, SphereRadiusRule};
+use crate::note::NotedMass;
 use crate::plan::{Masses, NoteFacts, Plan};
 use crate::rules::{self, REMARK_GRAVITY_STAYS, warn_forces};
 
@@ -227,9 +228,8 @@ fn plan_with_note_and_remarks(
         Plan { changes, moves, masses, taken, findings, remarks, ..Plan::default() },
         &NoteFacts {
             followed: radii.filter(|_| wanted.bodies.is_some()).map(Radii::spheres).as_ref(),
-            target_mass_kg: Some(wanted.target_mass_kg),
+            made: NotedMass::new(Some(wanted.target_mass_kg), all),
             gravity_m_s2: wanted.target_gravity_m_s2.or(model.contacts_gravity()),
-            scope: if all { Scope::All } else { Scope::Partial },
             operation: if wanted.bodies.is_some() { OPERATION_FOLLOWING_SCALE_FILE } else { "rescale" },
         },
     )

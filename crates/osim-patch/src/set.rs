@@ -10,7 +10,7 @@ use osim_model::{
 use crate::builder::{NewNumber, PlanBuilder};
 use crate::change::{ChangedBy, PlaceChange};
 use crate::new_radii::ForcesOutsideChange;
-use crate::note::KeptMass;
+use crate::note::NotedMass;
 use crate::plan::{Masses, NoteFacts, Plan};
 use crate::rules::{self, REMARK_LEVEL_FEET};
 
@@ -162,17 +162,13 @@ pub fn set(model: &Model, selected: &Selected, wanted: &Set) -> Result<Plan> {
     if let Some((masses, kg)) = masses.as_mut().zip(wanted.made_for_kg) {
         masses.target_mass_kg = kg;
     }
-    let kept = KeptMass::of(model, wanted.contacts_mass.as_ref());
+    let kept = NotedMass::of(model, wanted.contacts_mass.as_ref());
+    let made = NotedMass { kg: wanted.made_for_kg.or(kept.kg), ..kept };
+    let gravity_m_s2 = model.contacts_gravity();
     Ok(Plan::new(
         model,
         Plan { changes, moves, masses, taken, findings, remarks, ..Plan::default() },
-        &NoteFacts {
-            followed: None,
-            target_mass_kg: wanted.made_for_kg.or(kept.kg),
-            gravity_m_s2: model.contacts_gravity(),
-            scope: kept.scope,
-            operation: &operation,
-        },
+        &NoteFacts { made, gravity_m_s2, operation: &operation, followed: None },
     ))
 }
 

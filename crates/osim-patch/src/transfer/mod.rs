@@ -8,12 +8,13 @@ use osim_model::compare::Follow;
 use osim_model::messages::{Phrase, phrase, readable};
 use osim_model::{
     Fault, FaultKind, Finding, Force, ForceKind, GravityFor, Mass, Model, Property, RadiusRule, Result,
-    Scope, Selected, SphereId,
+    Selected, SphereId,
 };
 
 use crate::builder::{PlanBuilder, change_composite, scale_with_radius};
 use crate::change::{ChangedBy, GravityChange};
 use crate::new_radii::{Radii, SphereRadiusRule};
+use crate::note::NotedMass;
 use crate::objects::keeps_sphere_inside;
 use crate::plan::{Masses, NoteFacts, Plan, TRANSFER_OPERATION};
 use crate::rules::{self, REMARK_GRAVITY_STAYS, REMARK_PLACES_STAY, warn_forces};
@@ -203,10 +204,9 @@ fn plan_with_note_and_remarks(
         Plan { changes, moves, masses, taken, findings, remarks, ..Plan::default() },
         &NoteFacts {
             followed: wanted.follow.as_ref().map(|_| radii.spheres()).as_ref(),
-            target_mass_kg: Some(wanted.target_mass.kg),
+            made: NotedMass::new(Some(wanted.target_mass.kg), all),
             // Without a target, the gravity that the reference's contacts were made for.
             gravity_m_s2: wanted.target_gravity_m_s2.or(wanted.reference.gravity_m_s2).or(model.gravity()),
-            scope: if all { Scope::All } else { Scope::Partial },
             operation: TRANSFER_OPERATION,
         },
     )
