@@ -1,7 +1,7 @@
 //! Finds the limbs of a model: contact spheres are grouped along the joint tree, which is split at bodies with both left and right bodies
 //! below them.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use foldhash::{HashMap, HashMapExt, HashSet, HashSetExt};
 
@@ -158,7 +158,8 @@ impl Model {
     /// Splits the bodies with spheres, from the top of the joint tree downwards, until no group has both sides.
     fn add_limbs_of_carriers(&self, carriers: &[SphereCarrier], limbs: &mut Vec<Limb>) -> Result<(), String> {
         let tree = CarrierTree::new(carriers, self.skeleton());
-        if !tree.all_sides().are_both() {
+        let sides: BTreeSet<Side> = carriers.iter().filter_map(|carrier| carrier.side).collect();
+        if sides.len() < Side::ALL.len() {
             let top = carriers.first().map(|carrier| self.skeleton().top(carrier.body));
             limbs.push(self.limb(&carriers.iter().collect::<Vec<_>>(), top)?);
             return Ok(());
@@ -168,7 +169,7 @@ impl Model {
         };
         let mut groups = vec![top];
         while let Some(body) = groups.pop() {
-            if !tree.sides(body).are_both() {
+            if tree.sides(body).len() < Side::ALL.len() {
                 limbs.push(self.limb(&tree.below(body), Some(body))?);
                 continue;
             }
@@ -214,37 +215,12 @@ struct SphereCarrier {
     pub spheres: Vec<SphereId>,
 }
 
-/// Whether the right side and the left side occur in a group of bodies.
-#[derive(Debug, Clone, Copy, Default)]
-struct SidesPresent {
-    right: bool,
-    left: bool,
-}
-
-impl SidesPresent {
-    fn are_both(self) -> bool {
-        self.right && self.left
-    }
-
-    /// Adds the sides that the other group has.
-    fn add(&mut self, other: Self) {
-        self.right |= other.right;
-        self.left |= other.left;
-    }
-}
-
-impl From<Option<Side>> for SidesPresent {
-    fn from(side: Option<Side>) -> Self {
-        Self { right: side == Some(Side::Right), left: side == Some(Side::Left) }
-    }
-}
-
 /// A body in the tree, with its spheres and its child bodies.
 #[derive(Default)]
 struct CarrierNode {
     carrier: Option<usize>,
     /// The sides of all bodies with spheres, from this body downwards.
-    sides: SidesPresent,
+    sides: BTreeSet<Side>,
     children: Vec<ComponentId>,
 }
 
@@ -272,7 +248,7 @@ impl<'f> CarrierTree<'f> {
             order.extend(path.into_iter().rev());
             if let Some(node) = tree.nodes.get_mut(&carrier.body) {
                 node.carrier = Some(index);
-                node.sides = carrier.side.into();
+                node.sides = carrier.side.into_iter().collect();
             }
         }
         for &body in order.iter().rev() {
@@ -281,7 +257,7 @@ impl<'f> CarrierTree<'f> {
                 None => tree.tops.push(body),
                 Some(parent) => {
                     if let Some(node) = tree.nodes.get_mut(&parent) {
-                        node.sides.add(sides);
+                        node.sides.extend(sides);
                         node.children.push(body);
                     }
                 }
@@ -292,14 +268,8 @@ impl<'f> CarrierTree<'f> {
     }
 
     /// The sides of all bodies with spheres, from `body` downwards.
-    fn sides(&self, body: ComponentId) -> SidesPresent {
-        self.nodes.get(&body).map(|node| node.sides).unwrap_or_default()
-    }
-
-    fn all_sides(&self) -> SidesPresent {
-        let mut all = SidesPresent::default();
-        self.tops.iter().for_each(|&top| all.add(self.sides(top)));
-        all
+    fn sides(&self, body: ComponentId) -> BTreeSet<Side> {
+        self.nodes.get(&body).map(|node| node.sides.clone()).unwrap_or_default()
     }
 
     /// Whether `body` itself carries spheres.
