@@ -7,8 +7,7 @@ use crate::model::fault::{
     Fault, FaultKind, MassMistake, MassesOfOtherRows, MissingFact, POUND_KG, Result, Suspicion,
 };
 use crate::model::names_and_sides::{Pattern, any_pattern_matches};
-use crate::model::rules::{self, MassFromSource};
-use crate::model::{Body, Finding, Model};
+use crate::model::{Body, Finding, Model, rules};
 
 /// Two masses count as one body if they differ by less than this (relative): a sensor, a belt or a prosthetic foot does not make another
 /// body.
@@ -183,11 +182,8 @@ impl MassRequest {
     pub fn disagreement_with_note(&self, model: &Model) -> Option<Finding> {
         let kg = self.contacts_mass_kg?;
         let noted = self.disagreeing_note_kg(model)?;
-        let taken = MassFromSource { kg, source: MassSource::ContactsMass.describe() };
-        Some(rules::mass_sources_disagree(
-            &taken,
-            &MassFromSource { kg: noted, source: "the note in the file".into() },
-        ))
+        let taken = Mass { kg, source: MassSource::ContactsMass };
+        Some(rules::mass_sources_disagree(&taken, (noted, &"the note in the file".into())))
     }
 
     /// The mass in the note of `model`, kg, if the note is not in doubt and its mass differs from the mass that the caller gave.
@@ -215,7 +211,6 @@ impl MassRequest {
                 && self.target_mass_kg.is_some_and(|target_mass_kg| are_equal_masses(kg, target_mass_kg))
         };
         let differs = |kg: f64| !are_equal_masses(kg, taken.kg) && !expected(kg);
-        let taken_as = MassFromSource { kg: taken.kg, source: taken.source.describe() };
         // The caller says what the model will weigh, and the contacts are for that.
         let is_for_scaled_bodies = taken.source.is_about_contacts()
             && self.model_kg.is_some_and(|kg| are_equal_masses(kg, taken.kg));
@@ -223,7 +218,7 @@ impl MassRequest {
             if is_for_scaled_bodies && noted_kg != Some(kg) {
                 return rules::bodies_not_scaled(kg, taken.kg);
             }
-            rules::mass_sources_disagree(&taken_as, &MassFromSource { kg, source })
+            rules::mass_sources_disagree(taken, (kg, &source))
         };
         others.into_iter().filter(|(kg, _)| differs(*kg)).map(finding).collect()
     }

@@ -4,7 +4,7 @@
 use contact_scaling::modulus;
 
 use crate::messages::{Phrase, phrase, readable};
-use crate::model::{Example, Finding, Force, ForceId, Model, Repair, Rule, Severity, Sphere};
+use crate::model::{Example, Finding, Force, ForceId, Mass, Model, Repair, Rule, Severity, Sphere};
 use crate::rule;
 
 /// The rules of this crate.
@@ -25,17 +25,11 @@ rule! { MASS_SOURCES_DISAGREE: MassSourcesDisagree, Warning, Mass;
     example: Example::Models { good: "walks/child.osim", bad: "walks/scaled_noted.osim" },
 }
 
-/// A mass with its source in words.
-pub(crate) struct MassFromSource {
-    pub(crate) kg: f64,
-    pub(crate) source: Phrase,
-}
-
-/// The finding that another source gives another mass than the source that was used.
-pub(crate) fn mass_sources_disagree(taken: &MassFromSource, other: &MassFromSource) -> Finding {
+/// The finding that another `source` gives another mass than the source that was used.
+pub(crate) fn mass_sources_disagree(taken: &Mass, (kg, source): (f64, &Phrase)) -> Finding {
     let message = phrase![
         "contacts are taken as made for {} kg ({}), but {} says {} kg";
-        readable(taken.kg), &taken.source, &other.source, readable(other.kg)
+        readable(taken.kg), &taken.source.describe(), source, readable(kg)
     ];
     Finding::new(&MASS_SOURCES_DISAGREE, message)
 }
