@@ -4,8 +4,8 @@ use std::cell::OnceCell;
 use std::collections::BTreeMap;
 
 use foldhash::{HashMap, HashMapExt};
-use glam::DVec3;
 
+use super::scaled_copy::SharedOffset;
 use crate::messages::named;
 use crate::model::{Anatomy, AnatomyJoint, BoneLengths, Fault};
 
@@ -85,14 +85,6 @@ const SHORTEST_JOINT_DISTANCE_M: f64 = 0.02;
 /// shorter than [`SHORTEST_JOINT_DISTANCE_M`].
 const SHORTEST_SHARE_OF_LONGEST_BONE: f64 = 0.2;
 
-/// A joint of both models that lies below one body in each, with its two places. They are seen from the origin of the body at the default
-/// pose.
-pub(super) struct ComparedJoint<'a> {
-    pub(super) joint: &'a str,
-    pub(super) reference_m: DVec3,
-    scaled_m: DVec3,
-}
-
 /// The joints that have the same name in both models, listed under the body that is the joint's parent in one of the models.
 pub(super) struct ComparedJoints<'a> {
     scaled: &'a Anatomy,
@@ -117,12 +109,12 @@ impl<'a> ComparedJoints<'a> {
         Self { scaled, reference, on_body, bones }
     }
 
-    /// The farthest joint that lies below `body` in both models. Its parent is `body` in at least one of them.
-    pub(super) fn farthest(&self, body: &str) -> Option<ComparedJoint<'a>> {
+    /// The farthest joint that lies below `body` in both models, at the default pose. Its parent is `body` in at least one of them.
+    pub(super) fn farthest(&self, body: &str) -> Option<SharedOffset<'a>> {
         let places = self.on_body.get(body).into_iter().flatten().filter_map(|[joint, there]| {
             let reference_m = self.reference.joint_place_seen_from(body, there)?;
             let scaled_m = self.scaled.joint_place_seen_from(body, joint)?;
-            Some(ComparedJoint { joint: &joint.name, reference_m, scaled_m })
+            Some(SharedOffset { joint: &joint.name, reference_m, scaled_m })
         });
         let [least_m, least_scaled_m] = self.bones.each_ref().map(|bones| shortest_m(bones, body));
         places
@@ -137,13 +129,6 @@ fn shortest_m(bones: &BoneLengths, body: &str) -> f64 {
     longest_m.map_or(SHORTEST_JOINT_DISTANCE_M, |longest_m| {
         SHORTEST_JOINT_DISTANCE_M.min(SHORTEST_SHARE_OF_LONGEST_BONE * longest_m)
     })
-}
-
-impl ComparedJoint<'_> {
-    /// The distance to the joint in the new model over the distance in the old model.
-    pub(super) fn ratio(&self) -> f64 {
-        self.scaled_m.length() / self.reference_m.length()
-    }
 }
 
 // Which mesh of one model shows the same bone as which of the other.

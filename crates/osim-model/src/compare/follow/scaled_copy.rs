@@ -84,6 +84,13 @@ pub(super) struct SharedOffset<'a> {
     pub(super) scaled_m: DVec3,
 }
 
+impl SharedOffset<'_> {
+    /// The distance to the joint in the scaled model over that in the reference.
+    pub(super) fn ratio(&self) -> f64 {
+        self.scaled_m.length() / self.reference_m.length()
+    }
+}
+
 /// The joints that connect the same bodies in both models, listed under each of these bodies.
 pub(super) struct SharedJoints<'a>(HashMap<&'a str, Vec<SharedOffset<'a>>>);
 

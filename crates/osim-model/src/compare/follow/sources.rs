@@ -4,11 +4,10 @@ use foldhash::{HashMap, HashMapExt, HashSet, HashSetExt};
 use glam::DVec3;
 
 use super::body_factors::{
-    AXIS_NAMES, AxisFactor, BodyFactors, BodyIndex, BonePair, ComparedJoint, ComparedJoints, FactorSource,
-    bone_pairs,
+    AXIS_NAMES, AxisFactor, BodyFactors, BodyIndex, BonePair, ComparedJoints, FactorSource, bone_pairs,
 };
 use super::scale_file::ScaleFile;
-use super::scaled_copy::SHORTEST_OFFSET_M;
+use super::scaled_copy::{SHORTEST_OFFSET_M, SharedOffset};
 use crate::messages::Phrase;
 use crate::model::{Anatomy, Fault, MissingFact, Side, UnknownFactors, without_side};
 
@@ -29,7 +28,7 @@ pub(super) struct BodyFactorSources<'a> {
     /// Pairs of meshes of one bone in both models.
     pub(super) meshes: Vec<BonePair>,
     /// The joint to which a distance is measured in two different models.
-    distance: Option<ComparedJoint<'a>>,
+    distance: Option<SharedOffset<'a>>,
     in_a_copy: bool,
 }
 
@@ -58,7 +57,7 @@ impl<'a> BodyFactorSources<'a> {
         if in_a_copy {
             by_source.push((FactorSource::Joint, joint_factors(scaled, reference, body)));
         } else {
-            let ratio = distance.as_ref().map(ComparedJoint::ratio);
+            let ratio = distance.as_ref().map(SharedOffset::ratio);
             by_source.push((FactorSource::Distance, [ratio; 3]));
         }
         by_source.retain(|(_, values)| values.iter().any(Option::is_some));
@@ -137,7 +136,7 @@ impl<'a> BodyFactorSources<'a> {
     fn distance_ratios(
         &self,
         taken: &[Option<AxisFactor>; 3],
-    ) -> Option<(&ComparedJoint<'a>, FactorSource, [f64; 2])> {
+    ) -> Option<(&SharedOffset<'a>, FactorSource, [f64; 2])> {
         let distance = self.distance.as_ref()?;
         let [Some(x), Some(y), Some(z)] = *taken else { return None };
         if x.source >= FactorSource::Distance {
