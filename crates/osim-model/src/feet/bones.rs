@@ -80,15 +80,9 @@ pub fn bones(model: &Model, bodies: &[&str], folders: &MeshFolders, files: &dyn 
 }
 
 pub(crate) fn read_bone(attached: &AttachedMesh, folders: &MeshFolders, files: &dyn Files) -> Result<Bone> {
-    let (body, mesh) = (attached.body.clone(), attached.file.clone());
-    let MeshFile { file, mirrored, bytes } = found_mesh_file(attached, folders, files)?;
-    match mesh_points(&file.to_string_lossy(), &bytes) {
-        Ok(points) => {
-            let points = points.into_iter().map(|point| point_on_body(attached, mirrored, point)).collect();
-            Ok(Bone { file, mirrored, ..Bone::new(body, mesh, points) })
-        }
-        Err(fault) => Err(FeetFault::Mesh { body, mesh, file, fault }),
-    }
+    let (points, file, mirrored) = read_mesh(attached, folders, files, mesh_points)?;
+    let points = points.into_iter().map(|point| point_on_body(attached, mirrored, point)).collect();
+    Ok(Bone { file, mirrored, ..Bone::new(attached.body.clone(), attached.file.clone(), points) })
 }
 
 /// The surface of one mesh. Its points are in the frame of the body, m.
@@ -97,14 +91,7 @@ pub fn attached_surface(
     folders: &MeshFolders,
     files: &dyn Files,
 ) -> Result<MeshSurface> {
-    let MeshFile { file, mirrored, bytes } = found_mesh_file(attached, folders, files)?;
-    let fault = |fault| FeetFault::Mesh {
-        body: attached.body.clone(),
-        mesh: attached.file.clone(),
-        file: file.clone(),
-        fault,
-    };
-    let mut surface = mesh_surface(&file.to_string_lossy(), &bytes).map_err(fault)?;
+    let (mut surface, _, mirrored) = read_mesh(attached, folders, files, mesh_surface)?;
     surface.points.iter_mut().for_each(|point| *point = point_on_body(attached, mirrored, *point));
     Ok(surface)
 }
@@ -113,14 +100,13 @@ fn point_on_body(attached: &AttachedMesh, mirrored: bool, [x, y, z]: [f64; 3]) -
     attached.on_body([x, y, if mirrored { -z } else { z }]).to_array()
 }
 
-/// A mesh file that was found and read; `mirrored` if it is the bone of the other side.
-struct MeshFile {
-    file: PathBuf,
-    mirrored: bool,
-    bytes: Vec<u8>,
-}
-
-fn found_mesh_file(attached: &AttachedMesh, folders: &MeshFolders, files: &dyn Files) -> Result<MeshFile> {
+/// Finds the file of a mesh, and reads it with `read`. Also gives the file, and whether it is the bone of the other side.
+fn read_mesh<T>(
+    attached: &AttachedMesh,
+    folders: &MeshFolders,
+    files: &dyn Files,
+    read: fn(&str, &[u8]) -> Result<T, MeshFault>,
+) -> Result<(T, PathBuf, bool)> {
     let (body, mesh, factors) = (attached.body.clone(), attached.file.clone(), attached.factors);
     if factors.iter().any(|factor| !is_length(*factor) || *factor == 0.0) {
         return Err(FeetFault::Factors { body, mesh, factors });
@@ -129,9 +115,13 @@ fn found_mesh_file(attached: &AttachedMesh, folders: &MeshFolders, files: &dyn F
         let folders = folders.iter().map(PathBuf::from).collect();
         return Err(FeetFault::MeshMissing { body, mesh, folders });
     };
-    match files.read_included(&file) {
-        Ok(bytes) => Ok(MeshFile { file, mirrored, bytes }),
-        Err(fault) => Err(FeetFault::Unreadable { body, mesh, file, fault }),
+    let bytes = match files.read_included(&file) {
+        Ok(bytes) => bytes,
+        Err(fault) => return Err(FeetFault::Unreadable { body, mesh, file, fault }),
+    };
+    match read(&file.to_string_lossy(), &bytes) {
+        Ok(mesh) => Ok((mesh, file, mirrored)),
+        Err(fault) => Err(FeetFault::Mesh { body, mesh, file, fault }),
     }
 }
 
@@ -192,9 +182,8 @@ fn other_names(mesh: &str) -> Vec<(String, bool)> {
     let name = mesh.rsplit(['/', '\\']).next().unwrap_or(mesh);
     let (stem, ending) = name.rsplit_once('.').unwrap_or((name, ""));
     let (bone, side) = without_mark(&stem.to_lowercase());
-    let other = if side == Side::Right { Side::Left } else { Side::Right };
     let same_side = names_of_side(&bone, side).into_iter().map(|stem| (stem, false));
-    let mirrored = names_of_side(&bone, other).into_iter().map(|stem| (stem, true));
+    let mirrored = names_of_side(&bone, side.other()).into_iter().map(|stem| (stem, true));
     let mut stems = vec![(stem.to_owned(), false), (stem.to_lowercase(), false)];
     stems.extend(same_side.chain(mirrored));
     let lower = ending.to_lowercase();

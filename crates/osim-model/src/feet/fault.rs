@@ -91,18 +91,14 @@ fn shown_paths(paths: &[PathBuf]) -> String {
         path if path.is_empty() => ".".to_owned(),
         path => path.into_owned(),
     };
-    shown_list(paths.iter().map(shown))
-}
-
-fn shown_list(names: impl Iterator<Item = String>) -> String {
-    names.collect::<Vec<_>>().join(", ")
+    paths.iter().map(shown).collect::<Vec<_>>().join(", ")
 }
 
 fn three_numbers_text(values: &[f64; 3]) -> String {
     if values.iter().all(|value| value.is_nan()) {
         return "not three numbers".to_owned();
     }
-    shown_list(values.iter().map(ToString::to_string))
+    values.map(|value| value.to_string()).join(", ")
 }
 
 /// Why the place of a body at the default pose is not known.
