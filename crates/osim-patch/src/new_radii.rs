@@ -7,7 +7,7 @@ use foldhash::{HashMap, HashMapExt, HashSet};
 use osim_model::compare::ScaleFile;
 use osim_model::{
     Fault, Force, ForceId, LevelAxis, MissingFact, Model, Property, PropertySet, RadiusChangeReason,
-    RadiusRule, Result, Sphere, SphereId, moving_spheres, root_mean_square,
+    RadiusRule, Result, Sphere, SphereId, least_and_most, moving_spheres, root_mean_square,
 };
 
 use crate::builder::{NewNumber, PlanBuilder};
@@ -104,9 +104,7 @@ impl Radii {
 
     /// The smallest and the largest distance by which the lowest points of spheres move down, m.
     pub(crate) fn bottom_shifts(&self) -> Option<(f64, f64)> {
-        let moves = self.0.values().map(|pair| pair.new - pair.old);
-        let least = moves.clone().fold(f64::INFINITY, f64::min);
-        let most = moves.fold(f64::NEG_INFINITY, f64::max);
+        let (least, most) = least_and_most(self.0.values().map(|pair| pair.new - pair.old));
         (least.is_finite() && (least != 0.0 || most != 0.0)).then_some((least, most))
     }
 
@@ -158,8 +156,7 @@ impl Radii {
     pub(crate) fn ratio_spread(&self, force: &Force, old_radius: impl Fn(SphereId) -> f64) -> f64 {
         let ratio = |sphere: &SphereId| Some(self.0.get(sphere)?.new / old_radius(*sphere));
         let ratios: Vec<f64> = force.spheres().iter().filter_map(ratio).collect();
-        let most = ratios.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-        let least = ratios.iter().copied().fold(f64::INFINITY, f64::min);
+        let (least, most) = least_and_most(ratios.iter().copied());
         if ratios.is_empty() { 1.0 } else { most / least }
     }
 }

@@ -11,7 +11,7 @@ use osim_model::files::{Failure, Files, OpenModel};
 use osim_model::messages::{Input, Phrase, Verb, phrase};
 use osim_model::{
     Fault, Finding, FindingCode, Limb, Model, Property, Severity, Source, Suspicion, YesQuestion,
-    are_equal_masses, is_at_target,
+    are_equal_masses, is_at_target, least_and_most,
 };
 use osim_patch::{ChangedBy, Plan, StepDetails};
 use osim_requests::NoteDetails;
@@ -362,10 +362,12 @@ fn stands_no_longer(before: &StandingBody, after: &StandingBody) -> bool {
 
 /// The finding about a limb whose bottoms a change moves apart; `bottoms` has each before and after the change.
 fn uneven_limb(limb: &str, bottoms: &[(&Bottom, &Bottom)]) -> Option<Finding> {
-    let heights = |of: fn(&(&Bottom, &Bottom)) -> f64| bottoms.iter().map(of).collect::<Vec<f64>>();
-    let moved_m = spread(&heights(|(was, is)| is.height_m - was.height_m));
-    let (before_m, now_m) =
-        (spread(&heights(|(was, _)| was.height_m)), spread(&heights(|(_, is)| is.height_m)));
+    let spread = |height_m: fn(&(&Bottom, &Bottom)) -> f64| {
+        let (least_m, most_m) = least_and_most(bottoms.iter().map(height_m));
+        most_m - least_m
+    };
+    let moved_m = spread(|(was, is)| is.height_m - was.height_m);
+    let (before_m, now_m) = (spread(|(was, _)| was.height_m), spread(|(_, is)| is.height_m));
     let by_height = |a: &&Bottom, b: &&Bottom| a.height_m.total_cmp(&b.height_m);
     let lowest = bottoms.iter().map(|(_, is)| *is).min_by(by_height)?;
     let highest = bottoms.iter().map(|(_, is)| *is).max_by(by_height)?;
@@ -374,13 +376,6 @@ fn uneven_limb(limb: &str, bottoms: &[(&Bottom, &Bottom)]) -> Option<Finding> {
     let leans = bottoms.iter().any(|(_, is)| is.tilt_rad > MOST_LEAN_RAD);
     let is_uneven = moved_m > small_m && now_m - before_m > small_m && !leans;
     is_uneven.then(|| rules::bottoms_moved_of_limb(limb, before_m, lowest, highest))
-}
-
-/// The largest minus the smallest of the values.
-fn spread(values: &[f64]) -> f64 {
-    let most = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-    let least = values.iter().copied().fold(f64::INFINITY, f64::min);
-    most - least
 }
 
 /// The joint trees with spheres over a floor, each standing on one limb alone, and the limbs of the model.

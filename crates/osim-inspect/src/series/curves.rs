@@ -4,6 +4,7 @@
 use contact_scaling::drop_test::{DropReport, DropTest, DropValues, Sample};
 use contact_scaling::{Law, Spheres, equilibrium, limits, restitution, smoothing};
 use osim_model::files::Failure;
+use osim_model::least_and_most;
 use osim_requests::DropHeight;
 
 use crate::series::body::{CarriedWeight, ContactBody, SphereKind};
@@ -359,8 +360,7 @@ fn add_refined_interval(
 
 /// The difference between the largest and the smallest value; 1 if it is 0.
 fn extent_of_values(values: impl Iterator<Item = f64>) -> f64 {
-    let (low, high) = values
-        .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)));
+    let (low, high) = least_and_most(values);
     if high > low { high - low } else { 1.0 }
 }
 

@@ -80,7 +80,7 @@ pub use note::{
     BodySize, ChangedContacts, ChangedSinceNote, Credits, Note, NotedNames, NotedParts, Scope, Source, Step,
 };
 pub use numbers_with_units::{Dimension, NotRead, SizedKind, SizedValue, SizedValues};
-pub use placement::{Axis, LevelAxis, MovingPlacement, Placement, Rotation, angle_between};
+pub use placement::{Axis, LevelAxis, MovingPlacement, Placement, Rotation, angle_between, least_and_most};
 pub use property::{Class, Property, Value, ValueOrigin};
 pub use rules::RULES;
 pub use skeleton::{Body, Loops, Skeleton};

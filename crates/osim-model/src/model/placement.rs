@@ -306,6 +306,12 @@ impl MovingPlacement {
     }
 }
 
+/// The smallest and the largest of the values; infinity and minus infinity if there are none.
+pub fn least_and_most(values: impl IntoIterator<Item = f64>) -> (f64, f64) {
+    let wider = |(least, most): (f64, f64), value: f64| (least.min(value), most.max(value));
+    values.into_iter().fold((f64::INFINITY, f64::NEG_INFINITY), wider)
+}
+
 /// The angle between two vectors, rad, from 0 to π: atan2(|a × b|, a · b), which is exact near 0 and π, too.
 pub fn angle_between(a: DVec3, b: DVec3) -> f64 {
     libm::atan2(a.cross(b).length(), a.dot(b))

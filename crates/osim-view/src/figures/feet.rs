@@ -5,7 +5,7 @@ use std::collections::{HashMap, HashSet};
 use contact_plots::{Ball, Block, Level, LevelKind, Outline, Point, Scene, SceneNames, Spot, State, View};
 use osim_model::feet::{FeetFault, FloorPlace, Foot, FootFrame, FootSphere, silhouette};
 use osim_model::messages::{Dialect, Input, counted, four_significant, listed, phrase, shown};
-use osim_model::{DVec2, DVec3};
+use osim_model::{DVec2, DVec3, least_and_most};
 use osim_planning::ModelFeet;
 
 /// A figure with the last of `states` with its bones and names, and with the spheres of the first state that differ from it.
@@ -194,8 +194,8 @@ impl<'f> SortedSpheres<'f> {
     /// Sorts the spheres of a foot.
     fn new(spheres: &'f [FootSphere]) -> Self {
         let spread = |axis: usize| {
-            let along = || spheres.iter().map(|sphere| sphere.centre_m[axis]);
-            along().fold(f64::NEG_INFINITY, f64::max) - along().fold(f64::INFINITY, f64::min)
+            let (least, most) = least_and_most(spheres.iter().map(|sphere| sphere.centre_m[axis]));
+            most - least
         };
         let axis = (0..3).max_by(|&a, &b| spread(a).total_cmp(&spread(b))).unwrap_or(0);
         let mut spheres: Vec<&FootSphere> = spheres.iter().collect();

@@ -4,6 +4,7 @@ use contact_plots::{Axis, Curve, Drawing, Figure, HeatLimit, HeatMap, Limit, Loo
 use contact_scaling::limits;
 use osim_inspect::series::{self, ContactBody, HeatParameter, Profile};
 use osim_model::files::Failure;
+use osim_model::least_and_most;
 use osim_model::messages::{Input, phrase};
 use osim_planning::HeatTable;
 use osim_requests::QuantityChoice;
@@ -60,8 +61,7 @@ const LOGARITHMIC_RATIO: f64 = 8.0;
 
 /// The axis of colours for the values of a heat map.
 pub(super) fn value_axis(label: &str, values: &[Vec<Option<f64>>]) -> Axis {
-    let values = || values.iter().flatten().flatten().copied();
-    let (low, high) = (values().fold(f64::INFINITY, f64::min), values().fold(f64::NEG_INFINITY, f64::max));
+    let (low, high) = least_and_most(values.iter().flatten().flatten().copied());
     if low > 0.0 && high > LOGARITHMIC_RATIO * low { Axis::logarithmic(label) } else { Axis::new(label) }
 }
 

@@ -3,7 +3,7 @@
 use foldhash::{HashMap, HashMapExt, HashSet, HashSetExt};
 
 use crate::feet::default_pose::DefaultPose;
-use crate::model::{Anatomy, ForceId, Model, Side, SphereId};
+use crate::model::{Anatomy, ForceId, Model, Side, SphereId, least_and_most};
 
 /// A body belongs to a foot if its origin is at most this part of the model's height above the lowest origin.
 const NEAR_GROUND_SHARE: f64 = 0.12;
@@ -134,8 +134,7 @@ fn feet_near_ground(tree: &BodyTree<'_>, height_m: &dyn Fn(&str) -> Option<f64>)
     let names: Vec<&str> = tree.anatomy.bodies.iter().map(String::as_str).collect();
     let sided = |name: &&str| Side::of_name(name).is_some();
     let heights: Vec<(&str, f64)> = names.iter().filter_map(|&name| Some((name, height_m(name)?))).collect();
-    let low = heights.iter().map(|(_, height)| *height).fold(f64::INFINITY, f64::min);
-    let high = heights.iter().map(|(_, height)| *height).fold(f64::NEG_INFINITY, f64::max);
+    let (low, high) = least_and_most(heights.iter().map(|(_, height)| *height));
     let near = |height: f64| high > low && height <= low + NEAR_GROUND_SHARE * (high - low);
     let mut feet: Vec<&str> =
         heights.iter().filter(|(_, height)| near(*height)).map(|(name, _)| *name).filter(sided).collect();

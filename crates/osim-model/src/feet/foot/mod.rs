@@ -11,7 +11,7 @@ use glam::DVec3;
 use super::bones::Bone;
 use super::default_pose::DefaultPose;
 use super::fault::PoseFault;
-use crate::model::{Anatomy, AnatomyJoint, Model, ModelJoint, Side};
+use crate::model::{Anatomy, AnatomyJoint, Model, ModelJoint, Side, least_and_most};
 pub use bodies::FootBodies;
 pub use view::{ViewAxes, silhouette};
 
@@ -167,9 +167,7 @@ impl Foot {
         });
         let bones = self.bones.iter().flat_map(|bone| &bone.points_m).map(|&point| along(point));
         let joints = self.joints.iter().map(|joint| along(joint.at_m));
-        let ends = spheres.chain(bones).chain(joints);
-        let (low, high) = ends
-            .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)));
+        let (low, high) = least_and_most(spheres.chain(bones).chain(joints));
         (high - low).max(0.0)
     }
 
@@ -184,10 +182,8 @@ impl Foot {
         let along = |point: DVec3| self.axes.forward.dot(point);
         let carriers: HashSet<&str> = self.spheres.iter().map(|sphere| sphere.body.as_str()).collect();
         let of_carriers = self.bones.iter().filter(|bone| carriers.contains(bone.body.as_str()));
-        let (heel, toe) = of_carriers
-            .flat_map(|bone| &bone.points_m)
-            .map(|&point| along(point))
-            .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)));
+        let points = of_carriers.flat_map(|bone| &bone.points_m);
+        let (heel, toe) = least_and_most(points.map(|&point| along(point)));
         let centres = self.spheres.iter().map(|sphere| (along(sphere.centre_m) - heel) / (toe - heel));
         let ends = centres.fold(None, |ends: Option<(f64, f64)>, share| {
             Some(ends.map_or((share, share), |(low, high)| (low.min(share), high.max(share))))

@@ -4,7 +4,7 @@
 use glam::{DVec2, DVec3};
 
 use crate::feet::convex_hull::{convex_hull, distance, sort_and_dedup, twice_area};
-use crate::model::Side;
+use crate::model::{Side, least_and_most};
 
 /// A foot lies flat if its bone points near the ground cover at least this part of its length and width.
 pub(crate) const FLAT_SIDE_SHARE: f64 = 0.8;
@@ -315,9 +315,8 @@ fn farthest_along(corners: &[DVec2], direction: DVec2) -> Option<DVec2> {
 
 /// The extent of points along a direction of length 1.
 pub(super) fn extent(points: &[DVec2], direction: DVec2) -> f64 {
-    let along = |point: &DVec2| point.dot(direction);
-    let least = points.iter().map(along).fold(f64::INFINITY, f64::min);
-    points.iter().map(along).fold(f64::NEG_INFINITY, f64::max) - least
+    let (least, most) = least_and_most(points.iter().map(|point| point.dot(direction)));
+    most - least
 }
 
 /// Whether the corners in `some` reach nearly as far as the corners in `all`, forward and outward.

@@ -11,7 +11,7 @@ use crate::feet::convex_hull::{convex_hull, sort_and_dedup};
 use crate::feet::default_pose::DefaultPose;
 use crate::feet::fault::{FeetFault, Result};
 use crate::feet::movements::CoordinateValues;
-use crate::feet::sole::footprint::{BonePoint, FootAxes, GroundPoint, spread_bottoms};
+use crate::feet::sole::footprint::{BonePoint, FootAxes, GroundPoint, extent, spread_bottoms};
 use crate::messages::{readable, shown};
 use crate::model::{Model, ModelJoint, Placement, Side, angle_between, without_side};
 
@@ -90,8 +90,7 @@ pub fn soles(model: &Model, bones: &[Bone], request: &SoleRequest) -> Result<Vec
     let feet = group_bodies(model, bones);
     let soles = feet.iter().map(|foot| {
         let points = points_in_ground(foot, bones, &placements);
-        let pair = foot.pair_in(&feet).and_then(|pair| feet.get(pair));
-        let across = pair.and_then(|pair| left_to_right(foot, pair, &pose));
+        let across = foot.pair_in(&feet).and_then(|pair| left_to_right(foot, pair, &pose));
         let axes = FootAxes::of(up, foot.side, &points, across);
         let (bodies, count) = (foot.bodies.clone(), request.count);
         let sole = sole(foot, &points, &axes, request);
@@ -191,12 +190,8 @@ impl Sole {
 
 /// The points near the ground, as coordinates along the ground. They are sorted, so that the order in the files does not matter.
 fn points_near_ground(flat: &[GroundPoint]) -> Vec<DVec2> {
-    let extent = |axis: usize| {
-        let along = |point: &GroundPoint| point.at[axis];
-        let least = flat.iter().map(along).fold(f64::INFINITY, f64::min);
-        flat.iter().map(along).fold(f64::NEG_INFINITY, f64::max) - least
-    };
-    let near = NEAR_GROUND_SHARE * extent(0).max(extent(1));
+    let places: Vec<DVec2> = flat.iter().map(|point| point.at).collect();
+    let near = NEAR_GROUND_SHARE * extent(&places, DVec2::X).max(extent(&places, DVec2::Y));
     let mut points: Vec<DVec2> =
         flat.iter().filter(|point| point.height <= near).map(|point| point.at).collect();
     sort_and_dedup(&mut points);
@@ -236,16 +231,15 @@ struct SoleBodies {
 }
 
 impl SoleBodies {
-    /// The index of the matching foot of the other side.
-    fn pair_in(&self, feet: &[Self]) -> Option<usize> {
+    /// The matching foot of the other side.
+    fn pair_in<'f>(&self, feet: &'f [Self]) -> Option<&'f Self> {
         let names = |foot: &Self| {
             let mut names: Vec<String> = foot.bodies.iter().map(|body| without_side(body)).collect();
             names.sort();
             names
         };
         let side = self.side?;
-        feet.iter()
-            .position(|foot| foot.side.is_some_and(|other| other != side) && names(foot) == names(self))
+        feet.iter().find(|foot| foot.side.is_some_and(|other| other != side) && names(foot) == names(self))
     }
 }
 
