@@ -3,17 +3,14 @@
 use crate::model::document::Document;
 use crate::xml::{ElementId, opensim_text};
 
-/// A function of one coordinate or of time, read from a model file.
+/// A function of one coordinate or of time, read from a model file: the kinds of OpenSim's functions that are supported, with their
+/// numbers.
 #[derive(Debug, Clone, PartialEq)]
-pub struct CoordinateFunction(CoordinateFunctionKind);
-
-/// The kinds of OpenSim's functions that are supported, with their numbers.
-#[derive(Debug, Clone, PartialEq)]
-enum CoordinateFunctionKind {
+pub enum CoordinateFunction {
     /// The coefficients of a polynomial, beginning with the highest power. A constant has one coefficient.
     Polynomial(Vec<f64>),
     /// A factor, and the function that it multiplies.
-    Scaled(f64, Box<CoordinateFunctionKind>),
+    Scaled(f64, Box<CoordinateFunction>),
     /// Straight lines between points: the x values and the y values of the points.
     PiecewiseLinear(Vec<f64>, Vec<f64>),
     /// A cubic spline as the program SIMM defines it.
@@ -22,26 +19,10 @@ enum CoordinateFunctionKind {
 
 impl CoordinateFunction {
     /// The function that is 0 everywhere.
-    pub(crate) const ZERO: Self = Self(CoordinateFunctionKind::Polynomial(Vec::new()));
+    pub(crate) const ZERO: Self = Self::Polynomial(Vec::new());
 
     /// Reads the function in `element`; `None` if its class is not supported or its numbers cannot be read.
     pub fn read(document: &Document, element: ElementId) -> Option<Self> {
-        CoordinateFunctionKind::read(document, element).map(Self)
-    }
-
-    /// The value of the function at `x`.
-    pub fn value(&self, x: f64) -> f64 {
-        self.0.value(x)
-    }
-
-    /// The derivative of the function at `x`.
-    pub fn slope(&self, x: f64) -> f64 {
-        self.0.slope(x)
-    }
-}
-
-impl CoordinateFunctionKind {
-    fn read(document: &Document, element: ElementId) -> Option<Self> {
         let tree = document.tree();
         match tree.name(element) {
             "Constant" => match tree.child(element, "value") {
@@ -80,27 +61,29 @@ impl CoordinateFunctionKind {
         }
     }
 
-    fn value(&self, x: f64) -> f64 {
-        match self {
-            Self::Polynomial(coefficients) => {
-                coefficients.iter().fold(0.0, |sum, coefficient| sum * x + coefficient)
-            }
-            Self::Scaled(scale, inner) => scale * inner.value(x),
-            Self::PiecewiseLinear(xs, ys) => piecewise_linear(xs, ys, x).0,
-            Self::Spline(spline) => spline.value_and_slope(x).0,
-        }
+    /// The value of the function at `x`.
+    pub fn value(&self, x: f64) -> f64 {
+        self.value_and_slope(x).0
     }
 
-    fn slope(&self, x: f64) -> f64 {
+    /// The derivative of the function at `x`.
+    pub fn slope(&self, x: f64) -> f64 {
+        self.value_and_slope(x).1
+    }
+
+    fn value_and_slope(&self, x: f64) -> (f64, f64) {
         match self {
             // Horner's scheme, differentiated.
             Self::Polynomial(coefficients) => {
                 let step = |(sum, slope), coefficient: &f64| (sum * x + coefficient, slope * x + sum);
-                coefficients.iter().fold((0.0, 0.0), step).1
+                coefficients.iter().fold((0.0, 0.0), step)
             }
-            Self::Scaled(scale, inner) => scale * inner.slope(x),
-            Self::PiecewiseLinear(xs, ys) => piecewise_linear(xs, ys, x).1,
-            Self::Spline(spline) => spline.value_and_slope(x).1,
+            Self::Scaled(scale, inner) => {
+                let (value, slope) = inner.value_and_slope(x);
+                (scale * value, scale * slope)
+            }
+            Self::PiecewiseLinear(xs, ys) => piecewise_linear(xs, ys, x),
+            Self::Spline(spline) => spline.value_and_slope(x),
         }
     }
 }
@@ -121,7 +104,7 @@ fn points_of_curve(document: &Document, function: ElementId) -> Option<(Vec<f64>
 
 /// A cubic spline through points; outside its points it continues as a straight line.
 #[derive(Debug, Clone, PartialEq)]
-struct SimmSpline {
+pub struct SimmSpline {
     xs: Vec<f64>,
     ys: Vec<f64>,
     /// The width in x of each interval between two points.
@@ -225,9 +208,9 @@ mod tests {
     #[test]
     fn polynomial_functions_have_their_derivative_as_slope() {
         // 2 x^3 - x + 5 at 3: 54 - 3 + 5, and 6 x^2 - 1.
-        let cubic = CoordinateFunctionKind::Polynomial(vec![2.0, 0.0, -1.0, 5.0]);
+        let cubic = CoordinateFunction::Polynomial(vec![2.0, 0.0, -1.0, 5.0]);
         assert_eq!((cubic.value(3.0), cubic.slope(3.0)), (56.0, 53.0));
-        let scaled = CoordinateFunctionKind::Scaled(-0.5, Box::new(cubic));
+        let scaled = CoordinateFunction::Scaled(-0.5, Box::new(cubic));
         assert_eq!((scaled.value(3.0), scaled.slope(3.0)), (-28.0, -26.5));
         assert_eq!((CoordinateFunction::ZERO.value(3.0), CoordinateFunction::ZERO.slope(3.0)), (0.0, 0.0));
     }
