@@ -8,15 +8,6 @@ use std::fmt::{self, Display, Write};
 /// same value gives the same bytes on every platform and in every version. Values that are not finite become `NaN`, `inf`, `-inf`; these
 /// are never written into a model.
 pub fn shortest(value: f64) -> String {
-    if !value.is_finite() {
-        return if value.is_nan() {
-            "NaN".to_owned()
-        } else if value > 0.0 {
-            "inf".to_owned()
-        } else {
-            "-inf".to_owned()
-        };
-    }
     let magnitude = value.abs();
     if magnitude == 0.0 || (1e-5..1e15).contains(&magnitude) {
         // In this range `{}` is the shortest digits without an exponent.
