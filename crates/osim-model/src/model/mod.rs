@@ -65,7 +65,7 @@ pub use document::Document;
 pub use fault::{
     CountedSpheres, Excerpt, Fault, FaultKind, FileId, ForcesOfAnimal, GravityFor, MassMistake,
     MassesOfOtherRows, MissingFact, NoteDoubt, RadiusChangeReason, Result, Suspicion, UnknownFactors,
-    YesQuestion, probable_units,
+    YesQuestion, advice_on_units, probable_units,
 };
 pub use finding::{Example, Finding, FindingCode, Measure, Repair, Rule, Severity, VerdictTopic};
 pub use limbs::{Limb, Limbs};

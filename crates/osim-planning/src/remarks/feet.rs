@@ -7,8 +7,8 @@ use osim_inspect::StandingBody;
 use osim_model::feet::{Movements, Sole, angle_between};
 use osim_model::messages::{Input, Phrase, four_significant, phrase, readable, shown};
 use osim_model::{
-    Anatomy, BoneLengths, DVec3, Force, ForceId, Model, Side, Suspicion, YesQuestion, probable_units,
-    without_side,
+    Anatomy, BoneLengths, DVec3, Force, ForceId, Model, Side, Suspicion, YesQuestion, advice_on_units,
+    probable_units, without_side,
 };
 use osim_patch::{ObjectAction, Plan, RebuiltModel};
 use osim_requests::BodyScale;
@@ -269,17 +269,11 @@ pub(crate) fn question_about_pad(sole: &Sole, pad_m: f64) -> Option<Suspicion> {
     if pad_m <= length_m {
         return None;
     }
-    let units = probable_units(pad_m * FOOT_LENGTH_OVER_PAD / length_m);
-    let units: Vec<String> = units
-        .iter()
-        .map(|(unit, per_metre)| format!("{} if it is in {unit}", readable(pad_m / per_metre)))
-        .collect();
-    let write = if units.is_empty() { "" } else { ", write " };
+    let write = advice_on_units(pad_m, pad_m * FOOT_LENGTH_OVER_PAD / length_m);
     let bodies: Vec<String> = sole.bodies.iter().map(|body| shown(body).to_string()).collect();
     let text = phrase![
-        "{} is more than the length of the foot of {}, {} m: it is in m{write}{}";
-        Input::Pad.with_value(readable(pad_m)), bodies.join(", "), four_significant(length_m),
-        units.join(", or ")
+        "{} is more than the length of the foot of {}, {} m: it is in m{}";
+        Input::Pad.with_value(readable(pad_m)), bodies.join(", "), four_significant(length_m), write
     ];
     Some(Suspicion::Other { question: YesQuestion::ImplausiblePlace, text })
 }

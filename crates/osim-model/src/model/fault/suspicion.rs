@@ -276,15 +276,19 @@ pub fn probable_units(times: f64) -> &'static [(&'static str, f64)] {
     UNITS.get(units).unwrap_or_default()
 }
 
+/// What to write instead of a length that is `times` as large as expected, in other units: `, write 0.03 if it is in mm`.
+pub fn advice_on_units(length_m: f64, times: f64) -> String {
+    let units: Vec<String> = probable_units(times)
+        .iter()
+        .map(|(unit, per_metre)| format!("{} if it is in {unit}", readable(length_m / per_metre)))
+        .collect();
+    if units.is_empty() { String::new() } else { format!(", write {}", units.join(", or ")) }
+}
+
 fn doubt_about_radius(sphere: &str, radius_m: f64, longest_m: f64, usual_m: Option<f64>) -> String {
     let (radius, longest) = (readable(radius_m), four_significant(longest_m));
     let meant = usual_m.map(|like_m| {
-        let units: Vec<String> = probable_units(radius_m / like_m)
-            .iter()
-            .map(|(unit, per_metre)| format!("{} if it is in {unit}", readable(radius_m / per_metre)))
-            .collect();
-        let write = if units.is_empty() { "" } else { ", write " };
-        format!(": radii are in m{write}{}", units.join(", or "))
+        format!(": radii are in m{}", advice_on_units(radius_m, radius_m / like_m))
     });
     format!(
         "the radius of {sphere} would be {radius} m, and the joints of its body and of those next to it are at most \
