@@ -2,7 +2,7 @@
 
 use std::ops::Deref;
 
-use foldhash::{HashMap, HashMapExt};
+use foldhash::HashMap;
 use osim_model::{Finding, FindingCode, Severity};
 use osim_requests::Request;
 use osim_requests::spell::FrontEnd;
@@ -57,6 +57,7 @@ const DEPTH_CODES: [FindingCode; 3] =
 
 /// An index of the findings about one state of a model, to look up a finding about another state of the model. Of equal findings it has the
 /// first.
+#[derive(Default)]
 pub struct FindingIndex<'f> {
     findings: &'f [FindingWithRemedy],
     /// Findings about spheres, by their code. Such a finding is about all spheres; its place is the worst sphere, which can be another
@@ -69,12 +70,7 @@ pub struct FindingIndex<'f> {
 impl<'f> FindingIndex<'f> {
     /// An index of these findings.
     pub fn new(findings: &'f [FindingWithRemedy]) -> Self {
-        let mut index = Self {
-            findings,
-            about_spheres: HashMap::new(),
-            by_place: HashMap::new(),
-            by_code: HashMap::new(),
-        };
+        let mut index = Self { findings, ..Self::default() };
         for (at, one) in findings.iter().enumerate() {
             if !one.spheres.is_empty() {
                 index.about_spheres.entry(one.code()).or_insert(at);
