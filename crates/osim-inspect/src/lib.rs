@@ -48,8 +48,8 @@ pub use findings::{
     check_without_remedies,
 };
 pub use inspection::{
-    BodyAtRest, Bottom, ContactsMass, Dimensionless, FactorsBySource, InspectedBody, InspectedFactors,
-    InspectedForce, InspectedLimb, InspectedSphere, Inspection, NoteStep, NoteSummary, Origins, Parameters,
+    BodyAtRest, Bottom, ContactsMass, Dimensionless, InspectedBody, InspectedFactors,
+    InspectedForce, InspectedLimb, InspectedSphere, Inspection, NoteStep, NoteSummary,
     StandingBody, StandingSphere,
 };
 pub use known_contacts::{KnownContacts, ReferenceContacts};

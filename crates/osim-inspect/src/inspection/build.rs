@@ -1,5 +1,7 @@
 //! Inspects a model: collects all data that `inspect` shows and that the rules need.
 
+use std::collections::BTreeMap;
+
 use contact_scaling::{
     DimensionlessContact, SURFACE_OVER_COMPOSITE_MODULUS, Scale, ScaleValues, mixed_radii,
 };
@@ -12,7 +14,7 @@ use osim_model::{
     loaded_round_spheres,
 };
 
-use crate::inspection::inspected::{Origins, Parameters, names_of_spheres};
+use crate::inspection::inspected::names_of_spheres;
 use crate::inspection::standing::{RestsToCompute, StandingBody};
 use crate::real_feet::spheres_under_heels;
 use crate::rules::{contacts, model_findings};
@@ -172,7 +174,7 @@ fn inspected_forces(model: &Model, selected: &Selected, contacts: &ContactsOfSet
             let contact = contacts.get(&(force.id, set.id));
             let parameters = parameters_of_set(force, set.id, |value| value.number);
             let modulus_of_stiffness = || {
-                let stiffness = parameters.iter().find(|(property, _)| *property == Property::Stiffness)?.1;
+                let stiffness = parameters.get(Property::Stiffness.name())?;
                 Some(stiffness / SURFACE_OVER_COMPOSITE_MODULUS).filter(|modulus| modulus.is_finite())
             };
             inspected.push(InspectedForce {
@@ -186,8 +188,8 @@ fn inspected_forces(model: &Model, selected: &Selected, contacts: &ContactsOfSet
                 composite_modulus_n_m2: contact
                     .map(|contact| contact.composite_modulus_n_m2)
                     .or_else(modulus_of_stiffness),
-                parameters: Parameters(parameters),
-                origin: Origins(parameters_of_set(force, set.id, |value| value.origin)),
+                parameters,
+                origin: parameters_of_set(force, set.id, |value| value.origin.as_str()),
                 dimensionless: contact.and_then(|contact| Dimensionless::of(contact.dimensionless.as_ref()?)),
                 position: set.position,
             });
@@ -196,8 +198,8 @@ fn inspected_forces(model: &Model, selected: &Selected, contacts: &ContactsOfSet
     inspected
 }
 
-/// A `part` of each property of a parameter set, such as its number.
-fn parameters_of_set<T>(force: &Force, set: SetId, part: impl Fn(&Value) -> T) -> Vec<(Property, T)> {
+/// A `part` of each property of a parameter set, such as its number, by OpenSim's name of the property.
+fn parameters_of_set<T>(force: &Force, set: SetId, part: impl Fn(&Value) -> T) -> BTreeMap<&'static str, T> {
     let properties = Property::ALL.into_iter();
-    properties.filter_map(|property| Some((property, part(force.value(set, property)?)))).collect()
+    properties.filter_map(|property| Some((property.name(), part(force.value(set, property)?)))).collect()
 }

@@ -1,7 +1,6 @@
 //! The result of `inspect`: one struct for the table, JSON, CSV and `check`. Its serialised form is the JSON that
 //! `docs/reference/json.md` describes.
 
-#[cfg(feature = "schemas")]
 use std::collections::BTreeMap;
 
 use contact_scaling::DimensionlessContact;
@@ -11,7 +10,7 @@ use osim_model::{
     Body, DVec3, Finding, Limb, Mass, MassSource, Model, Property, Sphere, SphereId, TextPosition,
     ValueOrigin,
 };
-use serde::{Serialize, Serializer};
+use serde::Serialize;
 
 #[cfg(feature = "schemas")]
 use crate::serialized::FindingRecord;
@@ -183,9 +182,10 @@ pub struct InspectedForce {
     /// Whether a change of the model would change this force.
     pub selected: bool,
     /// Effective values, in OpenSim's units.
-    pub parameters: Parameters,
+    #[cfg_attr(feature = "schemas", schemars(with = "BTreeMap<String, Option<f64>>"))]
+    pub parameters: BTreeMap<&'static str, f64>,
     /// Sources of the parameters.
-    pub origin: Origins,
+    pub origin: BTreeMap<&'static str, &'static str>,
     /// The dimensionless contact, for the mass and gravity that it is made for on n spheres; several radii count with the mean R². Null
     /// if mass, limbs or gravity are not known, or one of its numbers is more than a double holds.
     pub dimensionless: Option<Dimensionless>,
@@ -197,54 +197,15 @@ pub struct InspectedForce {
     pub composite_modulus_n_m2: Option<f64>,
 }
 
-/// Effective parameters of a contact, by OpenSim's names and in OpenSim's order.
-#[derive(Debug, Clone, PartialEq)]
-#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(transparent))]
-pub struct Parameters(
-    #[cfg_attr(feature = "schemas", schemars(with = "BTreeMap<String, Option<f64>>"))]
-    pub(super)  Vec<(Property, f64)>,
-);
-
-/// Sources of a contact's parameters, by OpenSim's names.
-#[derive(Debug, Clone, PartialEq)]
-#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(transparent))]
-pub struct Origins(
-    #[cfg_attr(feature = "schemas", schemars(with = "BTreeMap<String, String>"))]
-    pub(super)  Vec<(Property, ValueOrigin)>,
-);
-
-impl Parameters {
-    pub fn get(&self, property: Property) -> Option<f64> {
-        self.0.iter().find(|(known, _)| *known == property).map(|(_, value)| *value)
+impl InspectedForce {
+    /// The effective value of the property, in OpenSim's unit.
+    pub fn parameter(&self, property: Property) -> Option<f64> {
+        self.parameters.get(property.name()).copied()
     }
-}
 
-impl Origins {
     /// Whether the number is a default, and not in the force's own element.
     pub fn is_default(&self, property: Property) -> bool {
-        self.0.iter().any(|(known, origin)| *known == property && *origin != ValueOrigin::Element)
-    }
-}
-
-/// Serialises a map sorted by name, so that scripts get the same text in every version.
-fn serialize_sorted<S: Serializer, T: Serialize>(
-    values: impl Iterator<Item = (Property, T)>,
-    serializer: S,
-) -> Result<S::Ok, S::Error> {
-    let mut sorted: Vec<_> = values.map(|(property, value)| (property.name(), value)).collect();
-    sorted.sort_by_key(|(name, _)| *name);
-    serializer.collect_map(sorted)
-}
-
-impl Serialize for Parameters {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serialize_sorted(self.0.iter().copied(), serializer)
-    }
-}
-
-impl Serialize for Origins {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serialize_sorted(self.0.iter().map(|(property, origin)| (*property, origin.as_str())), serializer)
+        self.origin.get(property.name()).is_some_and(|origin| *origin != ValueOrigin::Element.as_str())
     }
 }
 
@@ -285,8 +246,8 @@ json_records! {
         /// The source of each of these factors.
         sources: [Option<&'static str>; 3] = body.axes.map(|axis| axis.map(|axis| axis.source.as_str())),
         /// The factors that each source gives, by the source's name.
-        by_source: FactorsBySource =
-            FactorsBySource(body.sources.iter().map(|(name, factors)| (name.as_str(), *factors)).collect()),
+        by_source: BTreeMap<&'static str, [Option<f64>; 3]> =
+            body.sources.iter().map(|(name, factors)| (name.as_str(), *factors)).collect(),
     }
 }
 
@@ -299,22 +260,6 @@ impl Dimensionless {
             [numbers.constant_indentation, numbers.hertz_smoothing, numbers.hunt_crossley_smoothing];
         let is_finite = required.chain(smoothing.into_iter().flatten()).all(f64::is_finite);
         is_finite.then_some(numbers)
-    }
-}
-
-/// Factors by the name of the source.
-#[derive(Debug, Clone, PartialEq)]
-#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(transparent))]
-pub struct FactorsBySource(
-    #[cfg_attr(feature = "schemas", schemars(with = "BTreeMap<String, [Option<f64>; 3]>"))]
-    pub(super)  Vec<(&'static str, [Option<f64>; 3])>,
-);
-
-impl Serialize for FactorsBySource {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut sorted = self.0.clone();
-        sorted.sort_by_key(|(name, _)| *name);
-        serializer.collect_map(sorted)
     }
 }
 

@@ -6,8 +6,8 @@ mod note;
 mod standing;
 
 pub use inspected::{
-    ContactsMass, Dimensionless, FactorsBySource, InspectedBody, InspectedFactors, InspectedForce,
-    InspectedLimb, InspectedSphere, Inspection, Origins, Parameters,
+    ContactsMass, Dimensionless, InspectedBody, InspectedFactors, InspectedForce, InspectedLimb,
+    InspectedSphere, Inspection,
 };
 pub(crate) use note::step_in_words;
 pub use note::{NoteStep, NoteSummary};

@@ -75,7 +75,7 @@ impl Column {
             Self::Class => class_of_forces(inspected).to_owned(),
             Self::Stiffness => {
                 let values =
-                    chosen_forces(inspected).filter_map(|force| force.parameters.get(Property::Stiffness));
+                    chosen_forces(inspected).filter_map(|force| force.parameter(Property::Stiffness));
                 range_in_words(values, powers_of_ten)
             }
             Self::Radius => range_in_words(
@@ -258,7 +258,7 @@ fn sharing_spheres(inspected: &Inspection) -> String {
 const MISSING_VALUE: &str = "-";
 
 fn class_of_forces(inspected: &Inspection) -> &'static str {
-    let is_smooth = |force: &InspectedForce| force.parameters.get(Property::HertzSmoothing).is_some();
+    let is_smooth = |force: &InspectedForce| force.parameter(Property::HertzSmoothing).is_some();
     match (chosen_forces(inspected).any(is_smooth), chosen_forces(inspected).any(|force| !is_smooth(force))) {
         (true, true) => "both",
         (true, false) => "smooth",

@@ -304,7 +304,7 @@ fn csv_header() -> Vec<String> {
 }
 
 fn cells_of_place(place: &SpherePlace<'_>) -> Vec<String> {
-    let parameter = |property| number_text(place.force.and_then(|force| force.parameters.get(property)));
+    let parameter = |property| number_text(place.force.and_then(|force| force.parameter(property)));
     let figures = Figure::ALL.iter().map(|&figure| number_text(place.sphere.value(figure)));
     let is_outside = |figure: &&Figure| place.sphere.is_within(**figure) == Some(false);
     let outside: Vec<String> =
