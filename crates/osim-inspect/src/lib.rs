@@ -48,9 +48,8 @@ pub use findings::{
     check_without_remedies,
 };
 pub use inspection::{
-    BodyAtRest, Bottom, ContactsMass, Dimensionless, InspectedBody, InspectedFactors,
-    InspectedForce, InspectedLimb, InspectedSphere, Inspection, NoteStep, NoteSummary,
-    StandingBody, StandingSphere,
+    BodyAtRest, Bottom, ContactsMass, Dimensionless, InspectedBody, InspectedFactors, InspectedForce,
+    InspectedLimb, InspectedSphere, Inspection, NoteStep, NoteSummary, StandingBody, StandingSphere,
 };
 pub use known_contacts::{KnownContacts, ReferenceContacts};
 pub use load::{
