@@ -114,7 +114,7 @@ impl Model {
 
     /// The distances between the joints of each body, a measure of the size of bones.
     pub fn joint_distances(&self) -> &BoneLengths {
-        self.body_facts.joint_distances(&self.components)
+        self.derived_from_bodies(|model| BoneLengths::from_joints(model.joints_between_bodies()))
     }
 
     /// The joints between two bodies, with their places.
@@ -182,7 +182,6 @@ pub(crate) struct BodyFacts {
     pub(crate) joints: Joints,
     mesh_factors: OnceLock<TriplesByBody>,
     frame_offsets: OnceLock<TriplesByBody>,
-    distances: OnceLock<BoneLengths>,
     /// Values that other modules computed from bodies and joints.
     derived: DerivedValues,
 }
@@ -194,10 +193,6 @@ impl BodyFacts {
 
     pub(crate) fn frame_offsets(&self, components: &Components) -> &TriplesByBody {
         self.frame_offsets.get_or_init(|| frame_offsets(components))
-    }
-
-    pub(crate) fn joint_distances(&self, components: &Components) -> &BoneLengths {
-        self.distances.get_or_init(|| BoneLengths::from_joints(self.joints.between_bodies(components)))
     }
 }
 
