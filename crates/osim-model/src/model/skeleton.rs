@@ -42,16 +42,10 @@ impl Body {
     }
 }
 
-/// The joint tree: the bodies, and the parent of each body.
-#[derive(Debug)]
+/// The joint tree: the bodies, the parent of each body, and other facts that follow from the joints.
+#[derive(Debug, Default)]
 pub struct Skeleton {
     pub(crate) bodies: Vec<Body>,
-    joined: JointRelations,
-}
-
-/// The parents of bodies, and other facts that follow from the joints.
-#[derive(Debug, Default)]
-struct JointRelations {
     parents: HashMap<ComponentId, Carrier>,
     loops: Loops,
     /// Joints that OpenSim ignores: in documents with joints inside bodies, all but the first joint of a body.
@@ -73,19 +67,20 @@ impl Skeleton {
     /// Reads all bodies and joints. A joint whose frames refer to no body is left out: only limbs need it, and a body without a joint to a
     /// parent counts as standing on ground.
     pub(crate) fn read(components: &Components) -> Self {
-        let joined = JointRelations::read(components);
+        let mut skeleton = Self::read_joints(components);
         let bodies = components.tree.iter().filter(|(id, _)| components.tag(*id) == "Body");
         let bodies = bodies.filter(|(id, _)| !components.is_ground(*id)).map(|(id, component)| {
             let document = components.document(component.file);
             let mass = document.value(component.element, Class::Body, Property::Mass, "mass");
             let (name, path) = (components.name(id).into_owned(), components.tree.path(id));
             let (fixed, excluded_from_mass) =
-                (joined.welded.contains(&id), joined.excluded_from_mass.contains(&id));
+                (skeleton.welded.contains(&id), skeleton.excluded_from_mass.contains(&id));
             let centre_of_mass_m =
                 document.triple(component.element, "mass_center").unwrap_or_default().into();
             Body { name, path, mass, file: component.file, fixed, excluded_from_mass, centre_of_mass_m }
         });
-        Self { bodies: bodies.collect(), joined }
+        skeleton.bodies = bodies.collect();
+        skeleton
     }
 
     /// Leaves the bodies of plates out of the mass of the model. A plate is a joint tree without left and right that carries the floor of
@@ -117,26 +112,26 @@ impl Skeleton {
     }
 
     pub fn loops(&self) -> &Loops {
-        &self.joined.loops
+        &self.loops
     }
 
     /// Joints of the model that OpenSim ignores.
     pub fn ignored_joints(&self) -> &[ComponentId] {
-        &self.joined.ignored_joints
+        &self.ignored_joints
     }
 
     /// Bodies without a joint, in a model with joints. OpenSim refuses such a model.
     pub fn bodies_without_joint(&self) -> &[ComponentId] {
-        &self.joined.without_joint
+        &self.without_joint
     }
 
     pub(crate) fn parent(&self, body: ComponentId) -> Option<ComponentId> {
-        self.joined.parent(body)
+        if let Carrier::Body(parent) = self.parents.get(&body)? { Some(*parent) } else { None }
     }
 
     /// The topmost body of the joint tree of `body`, which is joined to ground; `body` itself if no other body is above it.
     pub(crate) fn top(&self, body: ComponentId) -> ComponentId {
-        self.joined.tops.get(&body).copied().unwrap_or(body)
+        self.tops.get(&body).copied().unwrap_or(body)
     }
 
     /// Whether `base` is ground or a body that is welded to ground.
@@ -144,14 +139,12 @@ impl Skeleton {
         match base {
             Carrier::Ground => true,
             Carrier::Unknown => false,
-            Carrier::Body(body) => self.joined.welded.contains(&body),
+            Carrier::Body(body) => self.welded.contains(&body),
         }
     }
-}
 
-impl JointRelations {
     /// Reads the joints, and finds the parent and the topmost body of each body.
-    fn read(components: &Components) -> Self {
+    fn read_joints(components: &Components) -> Self {
         let mut joined = Self::default();
         let mut links = Vec::new();
         let (mut last_joined, mut are_read) = (None, true);
@@ -246,10 +239,6 @@ impl JointRelations {
         let tag = components.tag(joint);
         let (counts_twice, moves_away) = (weld || tag == "FreeJoint", SEPARATING_JOINTS.contains(&tag));
         Some(JointLink { joint, ends, weld, counts_twice, moves_away })
-    }
-
-    fn parent(&self, body: ComponentId) -> Option<ComponentId> {
-        if let Carrier::Body(parent) = self.parents.get(&body)? { Some(*parent) } else { None }
     }
 }
 
