@@ -51,19 +51,14 @@ impl LineIndex {
     /// Line and column of byte `offset` of `bytes`. These must be the bytes for which the index was built.
     pub fn position(&self, bytes: &[u8], offset: usize) -> TextPosition {
         let offset = offset.min(bytes.len());
-        let (before, inside) = self.counted_and_rest(bytes, offset);
+        // The end of a file of whole blocks is in none of them.
+        let block = (offset / LINE_BLOCK_BYTES).min(self.blocks.len().saturating_sub(1));
+        let inside = bytes.get(block * LINE_BLOCK_BYTES..offset).unwrap_or_default();
+        let before = self.blocks.get(block).copied().unwrap_or_default();
         let BeforeBlock { line_ends, letters } = before.after(inside);
         // A byte order mark takes no column.
         let mark = usize::from(line_ends == 0 && offset > 2 && bytes.starts_with(b"\xEF\xBB\xBF"));
         TextPosition { offset, line: line_ends + 1, column: letters - mark + 1 }
-    }
-
-    /// What is counted before the block with the byte `offset`, and the bytes of this block before `offset`.
-    fn counted_and_rest<'b>(&self, bytes: &'b [u8], offset: usize) -> (BeforeBlock, &'b [u8]) {
-        // The end of a file of whole blocks is in none of them.
-        let block = (offset.min(bytes.len()) / LINE_BLOCK_BYTES).min(self.blocks.len().saturating_sub(1));
-        let rest = bytes.get(block * LINE_BLOCK_BYTES..offset.min(bytes.len())).unwrap_or_default();
-        (self.blocks.get(block).copied().unwrap_or_default(), rest)
     }
 }
 
@@ -74,16 +69,12 @@ impl BeforeBlock {
         let letters = |bytes: &[u8]| bytes.iter().filter(|&&byte| byte & 0xC0 != 0x80).count();
         match memchr::memrchr(b'\n', bytes) {
             Some(last) => Self {
-                line_ends: self.line_ends + line_ends(bytes),
+                line_ends: self.line_ends + memchr::memchr_iter(b'\n', bytes).count(),
                 letters: letters(bytes.get(last + 1..).unwrap_or_default()),
             },
             None => Self { letters: self.letters + letters(bytes), ..self },
         }
     }
-}
-
-fn line_ends(bytes: &[u8]) -> usize {
-    memchr::memchr_iter(b'\n', bytes).count()
 }
 
 #[cfg(test)]
