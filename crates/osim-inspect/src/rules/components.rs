@@ -211,10 +211,10 @@ pub(super) fn find_contact_defaults(model: &Model) -> Vec<Finding> {
         Class::ContactSphere,
     ];
     let finding = |class: Class| {
-        let default = tree.child(document.defaults()?, class.tag())?;
+        let default = tree.child(document.defaults()?, class.as_str())?;
         // OpenSim itself writes defaults without content; those carry nothing.
         tree.children(default).next()?;
-        let text = format!("<defaults> holds a {}: OpenSim keeps it for models loaded later", class.tag());
+        let text = format!("<defaults> holds a {}: OpenSim keeps it for models loaded later", class.as_str());
         Some(Finding::at(&CONTACT_DEFAULTS, document.position_of(default), text))
     };
     classes.into_iter().filter_map(finding).collect()
@@ -317,7 +317,7 @@ fn find_duplicate_name(model: &Model, id: ComponentId, object: &Component) -> Op
     let tag = components.tag(id);
     let is_relevant =
         ["Contact", "HuntCrossleyForce", "SmoothSphere", "Body"].iter().any(|class| tag.starts_with(class));
-    if !is_relevant || tag == Class::ContactParameters.tag() || object.unnumbered_name.is_none() {
+    if !is_relevant || tag == Class::ContactParameters.as_str() || object.unnumbered_name.is_none() {
         return None;
     }
     // OpenSim names an object without a name after its class.

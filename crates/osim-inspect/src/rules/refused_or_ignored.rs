@@ -379,7 +379,7 @@ pub(super) fn known_children(document: &Document, id: ElementId) -> Option<&'sta
         }
         "contact_parameters" => &SET_TAGS,
         FOUNDATION_TAG => Class::ContactParameters.element_order(),
-        tag => classes.into_iter().find(|class| class.tag() == tag)?.element_order(),
+        tag => classes.into_iter().find(|class| class.as_str() == tag)?.element_order(),
     })
 }
 

@@ -152,7 +152,7 @@ impl Document {
 
     fn inherited_value(&self, object: ElementId, class: Class, property: Property, tag: &str) -> Value {
         let offset = self.tree.span(object).start;
-        match self.default_property(class.tag(), tag) {
+        match self.default_property(class.as_str(), tag) {
             Some(element) => Value {
                 origin: ValueOrigin::Defaults,
                 span: None,

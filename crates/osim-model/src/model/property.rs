@@ -150,17 +150,17 @@ fn probable_names(text: &str) -> Vec<&'static str> {
 
 // The OpenSim classes whose numbers are read and written: their defaults, and the order of their elements.
 
-/// An OpenSim class of which this program reads numbers.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Class {
-    HuntCrossleyForce,
-    /// `HuntCrossleyForce::ContactParameters`
-    ContactParameters,
-    SmoothSphereHalfSpaceForce,
-    ContactSphere,
-    ContactEllipsoid,
-    ContactHalfSpace,
-    Body,
+named! {
+    /// An OpenSim class of which this program reads numbers.
+    pub enum Class {
+        HuntCrossleyForce = "HuntCrossleyForce",
+        ContactParameters = "HuntCrossleyForce::ContactParameters",
+        SmoothSphereHalfSpaceForce = "SmoothSphereHalfSpaceForce",
+        ContactSphere = "ContactSphere",
+        ContactEllipsoid = "ContactEllipsoid",
+        ContactHalfSpace = "ContactHalfSpace",
+        Body = "Body",
+    }
 }
 
 /// A list of tags in one row.
@@ -169,18 +169,6 @@ macro_rules! tags {
 }
 
 impl Class {
-    pub const fn tag(self) -> &'static str {
-        match self {
-            Self::HuntCrossleyForce => "HuntCrossleyForce",
-            Self::ContactParameters => "HuntCrossleyForce::ContactParameters",
-            Self::SmoothSphereHalfSpaceForce => "SmoothSphereHalfSpaceForce",
-            Self::ContactSphere => "ContactSphere",
-            Self::ContactEllipsoid => "ContactEllipsoid",
-            Self::ContactHalfSpace => "ContactHalfSpace",
-            Self::Body => "Body",
-        }
-    }
-
     /// The value that OpenSim 4.6 uses if neither the object nor `<defaults>` has the property.
     pub const fn default(self, property: Property) -> f64 {
         match (self, property) {

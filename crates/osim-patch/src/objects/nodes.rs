@@ -55,7 +55,8 @@ pub(super) fn sphere_element(
         format!("the radius that {name} is to have")
     });
     let radius = NewElement::leaf("radius", radius.map_err(|fault| fault.at_element(name))?);
-    Ok(NewElement::object(Class::ContactSphere.tag(), name, vec![parent_frame.node(version), place, radius]))
+    let properties = vec![parent_frame.node(version), place, radius];
+    Ok(NewElement::object(Class::ContactSphere.as_str(), name, properties))
 }
 
 /// The element `<ContactHalfSpace>` with a location (m) and three angles (rad).
@@ -117,7 +118,7 @@ pub(super) fn force(
             let geometry = [sphere, plane].map(|path| escaped_attribute(names.name_of(path)));
             let mut parameters = vec![NewElement::leaf("geometry", geometry.join(" "))];
             parameters.extend(values_of(Class::ContactParameters)?);
-            let parameters = NewElement::parent(Class::ContactParameters.tag(), parameters);
+            let parameters = NewElement::parent(Class::ContactParameters.as_str(), parameters);
             let list = NewElement::parent("objects", vec![parameters]);
             let set = "HuntCrossleyForce::ContactParametersSet";
             let set = NewElement::object(set, "contact_parameters", vec![list]);
@@ -140,7 +141,7 @@ pub(super) fn force(
 
 /// Whether the `<defaults>` give objects of `class` a value for the element `tag`.
 fn has_default(document: &Document, class: Class, tag: &str) -> bool {
-    document.default_property(class.tag(), tag).is_some()
+    document.default_property(class.as_str(), tag).is_some()
 }
 
 /// The names by which the list of a `HuntCrossleyForce` refers to geometry. It uses the name of a member of the geometry set; if

@@ -51,7 +51,7 @@ pub fn remove(model: &Model, selected: &Selected, others: &[ComponentId]) -> Res
         refuse_included(model, sphere.file, &sphere.path)?;
         elements.push(sphere.element());
         going_names.insert(sphere.name.clone());
-        objects.push(removed(sphere.class().tag(), [&sphere.name, &sphere.path], sphere.body.as_deref()));
+        objects.push(removed(sphere.class().as_str(), [&sphere.name, &sphere.path], sphere.body.as_deref()));
     }
     remove_others(model, others, (&mut elements, &mut objects, &mut going_names))?;
     let mut made = model.note.as_ref().map(|note| note.added_to_file.clone()).unwrap_or_default();

@@ -202,7 +202,7 @@ pub(crate) fn remark_on_old_document(rebuilt: &RebuiltModel) -> Option<Phrase> {
         let text = format!(
             "the document is of an OpenSim before 4, and {smooth} came with OpenSim 4.1, which reads it; for older programs the \
              forces have to be of the class {}",
-            Class::HuntCrossleyForce.tag()
+            Class::HuntCrossleyForce.as_str()
         );
         text.into()
     })

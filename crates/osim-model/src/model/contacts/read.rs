@@ -301,7 +301,7 @@ impl<'r> ContactReader<'r> {
                 let tree = document.tree();
                 let items =
                     tree.child(container, "objects").into_iter().flat_map(|objects| tree.children(objects));
-                for item in items.filter(|&item| tree.name(item) == Class::ContactParameters.tag()) {
+                for item in items.filter(|&item| tree.name(item) == Class::ContactParameters.as_str()) {
                     let mut set =
                         self.parameter_set(document, item, Class::ContactParameters, Some(sets.len()));
                     set.inherited = inherited;
