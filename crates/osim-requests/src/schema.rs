@@ -84,7 +84,7 @@ fn with_register_texts(option: &Entry, of_type: Value) -> Value {
         (true, true) => or_null(json!({"type": "array", "items": file, "default": of_type["default"]})),
     };
     let groups = [
-        option.group.map(|group| ("x-group", group.name().into())),
+        option.group.map(|group| ("x-group", group.as_str().into())),
         option.is_of_run.then(|| ("x-of-run", true.into())),
     ];
     if let (Value::Object(schema), Value::Object(of_type)) = (&mut schema, of_type) {

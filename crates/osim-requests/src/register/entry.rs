@@ -1,6 +1,6 @@
 //! An entry of the register: an option, with its help text and the form of its values.
 
-use osim_model::messages::Input;
+use osim_model::messages::{Input, named};
 
 use crate::values::serial::Words;
 
@@ -58,27 +58,16 @@ pub enum List {
     Commas,
 }
 
-/// Subject of an option that does not describe contacts. A front end without files, without a terminal, or for one model at a
-/// time omits the fields of such groups: it reads the group here or in `x-group` of the schema, and needs no list of its own.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum FieldGroup {
-    /// The files to which results are written.
-    Output,
-    /// The work on many models in one call.
-    Many,
-    /// The form in which results are shown, and the exit status.
-    Shown,
-}
-
-impl FieldGroup {
-    /// Name of the option group in schemas.
-    #[cfg(feature = "schemas")]
-    pub(crate) const fn name(self) -> &'static str {
-        match self {
-            Self::Output => "output",
-            Self::Many => "many",
-            Self::Shown => "shown",
-        }
+named! {
+    /// Subject of an option that does not describe contacts. A front end without files, without a terminal, or for one model at a
+    /// time omits the fields of such groups: it reads the group here or in `x-group` of the schema, and needs no list of its own.
+    pub enum FieldGroup {
+        /// The files to which results are written.
+        Output = "output",
+        /// The work on many models in one call.
+        Many = "many",
+        /// The form in which results are shown, and the exit status.
+        Shown = "shown",
     }
 }
 
