@@ -351,13 +351,13 @@ fn with_grouped_help(command: Command, columns: Option<usize>) -> Command {
         let about = about.map(ToString::to_string).unwrap_or_default();
         break_long_lines(&format!("  {verb:<11}  {about}\n"), width)
     };
-    let groups = VerbGroup::ALL.map(|group| {
+    let groups = VerbGroup::ALL.iter().map(|&group| {
         let lines: String = verbs_of(group).map(line).collect();
-        format!("{header}{}:{header:#}\n{lines}", group.heading())
+        format!("{header}{}:{header:#}\n{lines}", group.as_str())
     });
     let template = format!(
         "{{about-with-newline}}\n{header}Examples:{header:#}\n{examples}\n{{usage-heading}} {{usage}}\n\n{}\n{{all-args}}{{after-help}}",
-        groups.join("\n")
+        groups.collect::<Vec<_>>().join("\n")
     );
     // What is hidden is in no list of clap's; it is found all the same.
     command.help_template(template).mut_subcommands(|verb| verb.hide(true)).mut_args(|argument| {
@@ -368,7 +368,7 @@ fn with_grouped_help(command: Command, columns: Option<usize>) -> Command {
 
 /// The names of all verbs, as values of an argument.
 fn verb_names_as_values() -> PossibleValuesParser {
-    PossibleValuesParser::new(VerbGroup::ALL.into_iter().flat_map(verbs_of))
+    PossibleValuesParser::new(VerbGroup::ALL.iter().copied().flat_map(verbs_of))
 }
 
 /// Whether one of two words begins with the other, in capital or small letters and with or without hyphens.
@@ -391,7 +391,7 @@ mod tests {
         let command = whole_command();
         let verbs: Vec<&str> = command.get_subcommands().map(Command::get_name).collect();
         assert_eq!(verbs, verb_names().collect::<Vec<_>>());
-        let listed = VerbGroup::ALL.into_iter().flat_map(VerbGroup::verbs).count();
+        let listed = VerbGroup::ALL.iter().copied().flat_map(VerbGroup::verbs).count();
         assert_eq!(listed, Verb::ALL.len());
     }
 }

@@ -3,7 +3,7 @@
 
 use std::path::PathBuf;
 
-use osim_model::messages::{Input, Verb};
+use osim_model::messages::{Input, Verb, named};
 use serde_json::{Map, Value};
 
 use crate::options::{AnswerOptions, OutputOptions, RunOptions};
@@ -71,28 +71,17 @@ pub(crate) fn verb_title(verb: Verb) -> &'static str {
     }
 }
 
-/// Groups of verbs in the help.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum VerbGroup {
-    Change,
-    Look,
-    Study,
-    More,
+named! {
+    /// Groups of verbs in the help, by their headings.
+    pub enum VerbGroup {
+        Change = "Change models",
+        Look = "Look at models",
+        Study = "Study",
+        More = "More",
+    }
 }
 
 impl VerbGroup {
-    pub const ALL: [Self; 4] = [Self::Change, Self::Look, Self::Study, Self::More];
-
-    /// Heading of the group in the help.
-    pub const fn heading(self) -> &'static str {
-        match self {
-            Self::Change => "Change models",
-            Self::Look => "Look at models",
-            Self::Study => "Study",
-            Self::More => "More",
-        }
-    }
-
     /// Verbs of the group, in the order of the help.
     pub fn verbs(self) -> impl Iterator<Item = Verb> {
         ALL_VERBS.iter().copied().filter(move |verb| verb_entry(*verb).group == self)
