@@ -53,7 +53,7 @@ pub(crate) fn suggest(words: &[PathBuf], may_be_mass: bool, terms: Words) -> Opt
 
 /// The message that suggests the call with its verb first, if `word` of `words` is a verb, or says what to set.
 fn call_with_verb(word: &str, words: &[PathBuf], terms: Words) -> Option<String> {
-    let is_value = Property::ALL.iter().any(|property| word.starts_with(&format!("{}=", property.name())));
+    let is_value = Property::changeable().any(|known| word.starts_with(&format!("{}=", known.as_str())));
     let verb = if is_value { Verb::Set.name() } else { verb_names().find(|name| *name == word)? };
     let rest = words.iter().filter(|other| is_value || other.as_os_str() != word);
     let rest: String = rest.map(|word| format!(" {}", terms.word(&word.display().to_string()))).collect();

@@ -41,7 +41,7 @@ impl Quantity {
 
     /// A property of a contact, with OpenSim's name and unit.
     pub const fn property(property: Property) -> Self {
-        Self::new(property.name(), property.name(), property.unit())
+        Self::new(property.as_str(), property.as_str(), property.unit())
     }
 
     /// The quantity with another label.

@@ -160,7 +160,7 @@ impl NumberChange {
 
     /// OpenSim's name of the property that changes.
     pub fn name(&self) -> &'static str {
-        if self.radii_m.is_some() { "radii" } else { self.property.name() }
+        if self.radii_m.is_some() { "radii" } else { self.property.as_str() }
     }
 
     /// The present and the new value, or the three radii of an ellipsoid, each number written by `number`.
@@ -224,7 +224,7 @@ fn refuse_bad_number(value: f64, property: Property, origin: impl FnOnce() -> St
     if property.allows(value) {
         return Ok(());
     }
-    Err(refused_number(property.name(), value, property.domain(), origin()))
+    Err(refused_number(property.as_str(), value, property.domain(), origin()))
 }
 
 /// The text of three numbers, a place or an orientation; `name` is their name in the error message.

@@ -137,7 +137,7 @@ pub fn design(model: &Model, selected: &Selected, wanted: &Design) -> Result<Pla
         let sphere = DesignedForce { force, radius_m, own_ratios };
         // If two forces share a sphere, the rest of one force alone means nothing.
         rests.extend(wanted.equilibrium_indentation(&plan, &sphere)?.filter(|_| !shared));
-        for property in Property::ALL.into_iter().filter(|&property| properties.contains(property)) {
+        for property in Property::changeable().filter(|&property| properties.contains(property)) {
             match wanted.value(&plan, &sphere, property)? {
                 Some((to, by)) => change_composite(&mut plan, force.id, property, to, by)?,
                 None => scale_with_radius(&mut plan, force, property, &sphere.own_ratios, by)?,

@@ -159,7 +159,7 @@ pub fn rescale(model: &Model, selected: &Selected, wanted: &Rescale) -> Result<P
         let values = RatioValues { mass, sphere_count: 1.0, radius: radii.ratio(model, force), gravity };
         let ratios = Ratios::new(values).map_err(Fault::new)?;
         for set in &force.sets {
-            for property in Property::ALL.into_iter().filter(|&one| wanted.properties.contains(one)) {
+            for property in Property::changeable().filter(|&one| wanted.properties.contains(one)) {
                 let scaled = property_factor(property, &ratios, wanted.dissipation_by);
                 let Some((factor, by)) = scaled else { continue };
                 let Some(from) = model.parameter(force.id, set.id, property)? else { continue };

@@ -149,6 +149,6 @@ pub(crate) fn reproduce<'py>(py: Python<'py>) -> PyResult<Answer<'py>> {
 /// The SI unit of each property by OpenSim's name, and of `location`; "" where it has none.
 #[pyfunction]
 pub(crate) fn units() -> BTreeMap<&'static str, &'static str> {
-    let properties = Property::ALL.iter().map(|property| (property.name(), property.unit()));
+    let properties = Property::changeable().map(|property| (property.as_str(), property.unit()));
     properties.chain([("location", "m")]).collect()
 }

@@ -138,7 +138,7 @@ pub fn read(
         Request::Set(mut request) => {
             let mut words = words.into_iter();
             while let Some(word) = words.next() {
-                let is_property = |word: &str| Property::ALL.iter().any(|property| property.name() == word);
+                let is_property = |word: &str| Property::changeable().any(|known| known.as_str() == word);
                 let property = word.to_str().filter(|word| is_property(word) && !is_file(Path::new(word)));
                 if let Some(name) = property {
                     let value = words.find(|other| *other != "=").and_then(|value| value.to_str());

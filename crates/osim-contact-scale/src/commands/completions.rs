@@ -42,7 +42,7 @@ pub(crate) fn run(shell: Shell, session: &mut Session) -> Result<Exit> {
 /// The command with the words that its arguments may have: presets, topics of `explain`, properties, and codes of questions.
 fn with_known_words(command: Command, shell: Shell) -> Command {
     let topics = Topic::all().into_iter().map(Topic::name);
-    let properties = |end: &str| Property::ALL.iter().map(|one| format!("{}{end}", one.name())).collect();
+    let properties = |end: &str| Property::changeable().map(|one| format!("{}{end}", one.as_str())).collect();
     let with_words = |argument: Arg| {
         let words: Vec<String> = match argument.get_id().as_str() {
             "name" => osim_planning::all_preset_names(None, &Disk),

@@ -174,7 +174,7 @@ fn inspected_forces(model: &Model, selected: &Selected, contacts: &ContactsOfSet
             let contact = contacts.get(&(force.id, set.id));
             let parameters = parameters_of_set(force, set.id, |value| value.number);
             let modulus_of_stiffness = || {
-                let stiffness = parameters.get(Property::Stiffness.name())?;
+                let stiffness = parameters.get(Property::Stiffness.as_str())?;
                 Some(stiffness / SURFACE_OVER_COMPOSITE_MODULUS).filter(|modulus| modulus.is_finite())
             };
             inspected.push(InspectedForce {
@@ -200,6 +200,6 @@ fn inspected_forces(model: &Model, selected: &Selected, contacts: &ContactsOfSet
 
 /// A `part` of each property of a parameter set, such as its number, by OpenSim's name of the property.
 fn parameters_of_set<T>(force: &Force, set: SetId, part: impl Fn(&Value) -> T) -> BTreeMap<&'static str, T> {
-    let properties = Property::ALL.into_iter();
-    properties.filter_map(|property| Some((property.name(), part(force.value(set, property)?)))).collect()
+    let properties = Property::changeable();
+    properties.filter_map(|property| Some((property.as_str(), part(force.value(set, property)?)))).collect()
 }

@@ -200,12 +200,12 @@ pub struct InspectedForce {
 impl InspectedForce {
     /// The effective value of the property, in OpenSim's unit.
     pub fn parameter(&self, property: Property) -> Option<f64> {
-        self.parameters.get(property.name()).copied()
+        self.parameters.get(property.as_str()).copied()
     }
 
     /// Whether the number is a default, and not in the force's own element.
     pub fn is_default(&self, property: Property) -> bool {
-        self.origin.get(property.name()).is_some_and(|origin| *origin != ValueOrigin::Element.as_str())
+        self.origin.get(property.as_str()).is_some_and(|origin| *origin != ValueOrigin::Element.as_str())
     }
 }
 

@@ -128,7 +128,7 @@ fn changes_in_words(changed: &ChangedSinceNote) -> Vec<String> {
         (contacts.exchanged, "which contact has which numbers"),
     ];
     let others = others.into_iter().filter(|(is_changed, _)| *is_changed).map(|(_, name)| name.to_owned());
-    let properties = contacts.properties.iter().map(|property| property.name().to_owned());
+    let properties = contacts.properties.iter().map(|property| property.as_str().to_owned());
     let of_contacts = counts.into_iter().chain(unknown).chain(others).chain(properties);
     of_contacts.chain(sizes).chain(weight).collect()
 }

@@ -239,10 +239,10 @@ impl Record {
         self.objects = plan.objects().len();
         self.changes = plan.changes.len() + plan.moves.len();
         let mut unequal_factors = Vec::new();
-        for property in Property::ALL {
+        for property in Property::changeable() {
             let changed = common_numbers(plan, property);
             if changed.is_some_and(|[.., factor]| factor.is_none()) {
-                unequal_factors.push(property.name());
+                unequal_factors.push(property.as_str());
             }
             if let Some([from, to, factor]) = self.columns_of(property) {
                 [*from, *to, *factor] = changed.unwrap_or_default();

@@ -45,7 +45,7 @@ impl Model {
         let mut hash = Sha256::new();
         let mut feed = |set: usize, property: Property, number: f64| {
             hash.update((set as u64).to_le_bytes());
-            hash.update(property.name().as_bytes());
+            hash.update(property.as_str().as_bytes());
             hash.update(number.to_bits().to_le_bytes());
         };
         for force in self.forces() {

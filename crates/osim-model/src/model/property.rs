@@ -11,71 +11,46 @@ use crate::model::fault::{Fault, FaultKind, Result};
 use crate::model::names_and_sides::nearest_names;
 use crate::xml::opensim_text::NumberFault;
 
-/// A numeric property of a contact force or contact sphere.
-///
-/// ```
-/// use osim_model::Property;
-///
-/// let property: Property = "constant_contact_force".parse().unwrap();
-/// assert_eq!((property, property.unit()), (Property::ConstantContactForce, "m2"));
-/// ```
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Property {
-    /// `stiffness`, the plane strain modulus E₁* in N/m².
-    Stiffness,
-    /// `dissipation`, α in s/m.
-    Dissipation,
-    /// `static_friction`, dimensionless.
-    StaticFriction,
-    /// `dynamic_friction`, dimensionless.
-    DynamicFriction,
-    /// `viscous_friction` in s/m.
-    ViscousFriction,
-    /// `transition_velocity` in m/s.
-    TransitionVelocity,
-    /// `constant_contact_force`, cf: a squared indentation in m².
-    ConstantContactForce,
-    /// `hertz_smoothing`, bd in 1/m.
-    HertzSmoothing,
-    /// `hunt_crossley_smoothing`, bv in s/m.
-    HuntCrossleySmoothing,
-    /// `radius` of a `ContactSphere`, in m.
-    Radius,
-    /// `mass` of a `Body`, in kg: read, never written.
-    Mass,
+named! {
+    /// A numeric property of a contact force or contact sphere.
+    ///
+    /// ```
+    /// use osim_model::Property;
+    ///
+    /// let property: Property = "constant_contact_force".parse().unwrap();
+    /// assert_eq!((property, property.unit()), (Property::ConstantContactForce, "m2"));
+    /// ```
+    pub enum Property {
+        /// `stiffness`, the plane strain modulus E₁* in N/m².
+        Stiffness = "stiffness",
+        /// `dissipation`, α in s/m.
+        Dissipation = "dissipation",
+        /// `static_friction`, dimensionless.
+        StaticFriction = "static_friction",
+        /// `dynamic_friction`, dimensionless.
+        DynamicFriction = "dynamic_friction",
+        /// `viscous_friction` in s/m.
+        ViscousFriction = "viscous_friction",
+        /// `transition_velocity` in m/s.
+        TransitionVelocity = "transition_velocity",
+        /// `constant_contact_force`, cf: a squared indentation in m².
+        ConstantContactForce = "constant_contact_force",
+        /// `hertz_smoothing`, bd in 1/m.
+        HertzSmoothing = "hertz_smoothing",
+        /// `hunt_crossley_smoothing`, bv in s/m.
+        HuntCrossleySmoothing = "hunt_crossley_smoothing",
+        /// `radius` of a `ContactSphere`, in m.
+        Radius = "radius",
+        /// `mass` of a `Body`, in kg: read, never written.
+        Mass = "mass",
+    }
 }
 
 impl Property {
     /// Every property that can be changed, in the order in which reports list them: first the parameters of a `ContactParameters`, then the
     /// others of a smooth force.
-    pub const ALL: [Self; 10] = [
-        Self::Stiffness,
-        Self::Dissipation,
-        Self::StaticFriction,
-        Self::DynamicFriction,
-        Self::ViscousFriction,
-        Self::TransitionVelocity,
-        Self::ConstantContactForce,
-        Self::HertzSmoothing,
-        Self::HuntCrossleySmoothing,
-        Self::Radius,
-    ];
-
-    /// OpenSim's name of the property.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Stiffness => "stiffness",
-            Self::Dissipation => "dissipation",
-            Self::StaticFriction => "static_friction",
-            Self::DynamicFriction => "dynamic_friction",
-            Self::ViscousFriction => "viscous_friction",
-            Self::TransitionVelocity => "transition_velocity",
-            Self::ConstantContactForce => "constant_contact_force",
-            Self::HertzSmoothing => "hertz_smoothing",
-            Self::HuntCrossleySmoothing => "hunt_crossley_smoothing",
-            Self::Radius => "radius",
-            Self::Mass => "mass",
-        }
+    pub fn changeable() -> impl Iterator<Item = Self> {
+        Self::ALL.iter().copied().filter(|property| *property != Self::Mass)
     }
 
     /// SI unit of the property, in the spelling of tables: `N/m2`.
@@ -108,7 +83,7 @@ impl Property {
 
 impl fmt::Display for Property {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.name())
+        f.write_str(self.as_str())
     }
 }
 
@@ -116,10 +91,10 @@ impl FromStr for Property {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        Self::ALL.into_iter().find(|property| property.name() == text).ok_or_else(|| {
+        Self::changeable().find(|property| property.as_str() == text).ok_or_else(|| {
             match probable_names(text) {
                 names if names.is_empty() => {
-                    let names = Self::ALL.map(Self::name);
+                    let names: Vec<&str> = Self::changeable().map(Self::as_str).collect();
                     format!("there is no property '{text}', expected one of {}", names.join(", "))
                 }
                 names => format!("there is no property '{text}': did you mean {}?", names.join(" or ")),
@@ -136,7 +111,7 @@ fn probable_names(text: &str) -> Vec<&'static str> {
     let flat = |text: &str| text.to_lowercase().replace(['-', '_', ' '], "");
     let end = |text: &str| flat(text.rsplit(['-', '_', ' ']).next().unwrap_or_default());
     let (typed, ending) = (flat(text), end(text));
-    let names = || Property::ALL.into_iter().map(Property::name);
+    let names = || Property::changeable().map(Property::as_str);
     let nearest = nearest_names(text, names(), 2);
     if !nearest.is_empty() {
         return nearest;
@@ -282,12 +257,12 @@ impl Value {
             None => Fault::at(kind, self.offset),
         };
         if let Some(fault) = &self.fault {
-            let (property, text) = (self.property.name().to_owned(), self.text.clone());
+            let (property, text) = (self.property.as_str().to_owned(), self.text.clone());
             return Err(at_value(FaultKind::Number { property, text, fault: fault.clone() }));
         }
         if !self.property.allows(self.number) {
             return Err(at_value(FaultKind::Domain {
-                property: self.property.name().to_owned(),
+                property: self.property.as_str().to_owned(),
                 value: self.number,
                 expected: self.property.domain(),
             }));

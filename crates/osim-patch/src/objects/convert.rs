@@ -222,7 +222,7 @@ fn dropped_smoothing(model: &Model, force: &Force, pairs: &[SpherePlanePair]) ->
     let lost = computed.into_iter().filter_map(|(property, value)| {
         let &(_, own) = values.iter().find(|(known, _)| *known == property)?;
         let is_lost =
-            (own - value).abs() > 1e-6 * value && tree.child(force.element(), property.name()).is_some();
+            (own - value).abs() > 1e-6 * value && tree.child(force.element(), property.as_str()).is_some();
         is_lost.then(|| format!("{property} {}", readable(own)))
     });
     lost.collect()

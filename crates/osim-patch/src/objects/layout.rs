@@ -313,7 +313,7 @@ fn refuse_repeated_pair(model: &Model, force: &Force) -> Result<()> {
 
 fn values_of_set(force: &Force, set: SetId) -> Result<Vec<(Property, f64)>> {
     let value = |property| Some(force.checked(set, property).transpose()?.map(|value| (property, value)));
-    Property::ALL.into_iter().filter_map(value).collect()
+    Property::changeable().filter_map(value).collect()
 }
 
 /// Modulus and α of two surfaces by (A.3) and (A.4); for each coefficient of friction the value that Simbody uses, 2ab/(a + b).

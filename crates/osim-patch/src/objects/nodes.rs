@@ -100,11 +100,11 @@ pub(super) fn force(
     let values_of = |class: Class| {
         let value = |property: Property| {
             let given = values.numbers.iter().find(|(known, _)| *known == property).map(|(_, value)| *value);
-            given.or_else(|| has_default(document, class, property.name()).then(|| class.default(property)))
+            given.or_else(|| has_default(document, class, property.as_str()).then(|| class.default(property)))
         };
         let leaf = |&property: &Property| {
             let text = change::number_text(value(property)?, property, || (values.origin)(property));
-            let leaf = text.map(|text| NewElement::leaf(property.name(), text));
+            let leaf = text.map(|text| NewElement::leaf(property.as_str(), text));
             Some(leaf.map_err(|fault| fault.at_element(name)))
         };
         class.parameters().iter().filter_map(leaf).collect::<Result<Vec<_>, _>>()

@@ -199,7 +199,7 @@ pub(crate) fn plan_several_sets(
     gravity: f64,
 ) -> Result<()> {
     let ratios = wanted.ratios(radius_ratio(plan, force, wanted, radii), gravity)?;
-    for property in Property::ALL.into_iter().filter(|&property| wanted.properties.contains(property)) {
+    for property in Property::changeable().filter(|&property| wanted.properties.contains(property)) {
         let Some((factor, by)) = wanted.factor(property, &ratios) else { continue };
         let factor = factor * composite_ratio(plan, force, chosen, property)?;
         plan.change_in_all_sets(force, property, |from| NewNumber::multiplied(from, factor, by))?;

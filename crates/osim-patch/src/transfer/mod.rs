@@ -124,7 +124,7 @@ struct TargetForce<'t> {
 impl TargetForce<'_> {
     /// Plans the parameters of this force.
     fn plan(&self, plan: &mut PlanBuilder<'_>, wanted: &Transfer) -> Result<()> {
-        for property in Property::ALL.into_iter().filter(|&property| wanted.properties.contains(property)) {
+        for property in Property::changeable().filter(|&property| wanted.properties.contains(property)) {
             let Some((factor, by)) = wanted.factor(property, &self.ratios) else { continue };
             match self.reference_value(property) {
                 Some(value) => {

@@ -112,7 +112,7 @@ fn plans_of_several_verbs(model: &Model, a: f64, b: f64) -> Vec<Plan> {
             made.push(rescale(model, &selected, &wanted));
         }
     }
-    for property in Property::ALL {
+    for property in Property::changeable() {
         for value in [Assignment::Value(a), Assignment::Factor(b)] {
             made.push(set(model, &selected, &Set::new(vec![(property, value)])));
         }

@@ -119,7 +119,7 @@ fn smoothing_values(object: &ObjectChange) -> Option<[f64; 3]> {
 /// A sentence with the smoothing parameters that `count` new forces have.
 fn smoothing_sentence(values: &[f64; 3], count: usize) -> Phrase {
     let one = |(property, value): (Property, &f64)| {
-        format!("{} {} {}", property.name(), readable(*value), property.unit())
+        format!("{} {} {}", property.as_str(), readable(*value), property.unit())
     };
     let all: Vec<String> = SMOOTHING_PARAMETERS.into_iter().zip(values).map(one).collect();
     let forces = if count == 1 { "force" } else { "forces" };

@@ -295,7 +295,7 @@ const FIRST_COLUMNS_OF_SWEEP: [&str; 2] = ["index", "file"];
 
 /// Names of all columns: number and file, values of the grid or ladder (`asked`), parameters of the contacts, and figures.
 fn header(asked: Vec<String>) -> Vec<String> {
-    let properties = PropertySet::SCALED.map(|property| property.name().to_owned());
+    let properties = PropertySet::SCALED.map(|property| property.as_str().to_owned());
     let follows = [
         HERTZ_INDENTATION,
         MODEL_LAW_INDENTATION,

@@ -146,7 +146,7 @@ fn changes_and_bytes(call: &Value, text: &str, presets: &InMemory) -> Result<(Va
     let changes: Vec<_> = plan
         .changes
         .iter()
-        .map(|change| json!([change.path, change.property.name(), change.from, change.to]))
+        .map(|change| json!([change.path, change.property.as_str(), change.from, change.to]))
         .collect();
     let objects: Vec<_> =
         plan.objects().iter().map(|object| (object.action.as_str(), &object.path)).collect();

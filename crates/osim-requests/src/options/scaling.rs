@@ -129,13 +129,13 @@ impl ScalingOptions {
             return Err(RequestFault::refused(
                 Input::Only,
                 phrase![
-                    Input::Only.with_value(property.name()),
+                    Input::Only.with_value(property.as_str()),
                     ": it has no dimension, so it is the same at every size; change it with set",
                 ],
             ));
         }
         let properties = self.properties();
-        if Property::ALL.iter().all(|&property| !properties.contains(property)) {
+        if Property::changeable().all(|property| !properties.contains(property)) {
             let message = phrase![Input::Only, " and ", Input::Keep, " leave no property to change"];
             return Err(RequestFault::refused(Input::Only, message));
         }

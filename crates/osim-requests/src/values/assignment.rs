@@ -100,8 +100,8 @@ impl FromIterator<(Property, Assignment)> for Assignments {
 impl Serialize for Assignments {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.collect_map(self.0.iter().map(|(property, value)| match value {
-            Assignment::Factor(factor) => (property.name(), Value::from(format!("x{}", shortest(*factor)))),
-            Assignment::Value(value) => (property.name(), Value::from(*value)),
+            Assignment::Factor(factor) => (property.as_str(), Value::from(format!("x{}", shortest(*factor)))),
+            Assignment::Value(value) => (property.as_str(), Value::from(*value)),
         }))
     }
 }
@@ -135,7 +135,7 @@ impl<'d> Deserialize<'d> for Assignments {
 /// # Errors
 /// The errors of the serialiser.
 pub fn serialize<S: Serializer>(properties: &[Property], serializer: S) -> Result<S::Ok, S::Error> {
-    serializer.collect_seq(properties.iter().map(|property| property.name()))
+    serializer.collect_seq(properties.iter().map(|property| property.as_str()))
 }
 
 /// Reads a list of property names, or one text with commas between the names.

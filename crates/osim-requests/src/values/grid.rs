@@ -46,7 +46,7 @@ impl AxisName {
 
     pub fn as_str(self) -> &'static str {
         match self {
-            Self::Property(property) => property.name(),
+            Self::Property(property) => property.as_str(),
             Self::Indentation => "indentation",
             Self::Restitution => "restitution",
             Self::TargetMass => "target_mass",
@@ -136,7 +136,7 @@ impl fmt::Display for Axis {
 
 fn axis_value(name: AxisName, text: &str) -> Result<GridValue, String> {
     let (number, is_factor) = match name {
-        AxisName::Property(property) => match assignment(property.name(), text)?.1 {
+        AxisName::Property(property) => match assignment(property.as_str(), text)?.1 {
             Assignment::Factor(number) => (number, true),
             Assignment::Value(number) => (number, false),
         },

@@ -109,7 +109,7 @@ fn properties_keep_their_given_order() {
     let request =
         read(&json!({"verb": "set", "models": "a.osim", "set": {"stiffness": "x2", "dissipation": 1}}));
     let Ok(Request::Set(request)) = request else { panic!("{request:?}") };
-    let names: Vec<&str> = request.set.as_slice().iter().map(|(property, _)| property.name()).collect();
+    let names: Vec<&str> = request.set.as_slice().iter().map(|(property, _)| property.as_str()).collect();
     assert_eq!(names, ["stiffness", "dissipation"]);
 }
 

@@ -101,7 +101,7 @@ impl Entry {
         let factor = |(factor, property): (Option<f64>, Property)| {
             let second_line = match factor {
                 Some(factor) => format!("×{}", four_significant(factor)),
-                None if unequal.split(' ').any(|name| name == property.name()) => UNEQUAL_WORD.to_owned(),
+                None if unequal.split(' ').any(|name| name == property.as_str()) => UNEQUAL_WORD.to_owned(),
                 None => String::new(),
             };
             Cell { second_line, ..Cell::default() }

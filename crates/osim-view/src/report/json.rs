@@ -290,7 +290,7 @@ fn object_records(plan: &Plan) -> Vec<ObjectRecord> {
 
 fn parameters_by_name(object: &ObjectChange) -> Option<BTreeMap<&'static str, f64>> {
     let parameters = object.parameters.iter();
-    let parameters = parameters.map(|(property, value)| (property.name(), *value)).collect();
+    let parameters = parameters.map(|(property, value)| (property.as_str(), *value)).collect();
     (!object.parameters.is_empty()).then_some(parameters)
 }
 

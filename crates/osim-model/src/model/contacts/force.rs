@@ -274,7 +274,7 @@ impl Force {
             None => return None,
         };
         let (span, offset) = (value.span.clone(), value.offset);
-        Some(Slot { file: self.file, object, class, tag: property.name(), span, offset })
+        Some(Slot { file: self.file, object, class, tag: property.as_str(), span, offset })
     }
 
     pub(crate) fn half_space_bases(&self) -> impl Iterator<Item = Carrier> + '_ {

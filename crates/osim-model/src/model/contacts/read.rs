@@ -263,8 +263,8 @@ impl<'r> ContactReader<'r> {
             }
         }
         set.half_spaces = set.half_space_bases.len();
-        let transition_velocity =
-            document.value(element, class, Property::TransitionVelocity, Property::TransitionVelocity.name());
+        let velocity = Property::TransitionVelocity;
+        let transition_velocity = document.value(element, class, velocity, velocity.as_str());
         self.push_force(id, ForceKind::SmoothSphereHalfSpace, vec![set], transition_velocity)
     }
 
@@ -272,7 +272,7 @@ impl<'r> ContactReader<'r> {
     fn read_old_constant(&self, set: &mut ParameterSet, document: &Document, element: ElementId) {
         let has = |tag: &str| document.tree().child(element, tag).is_some();
         let constant = Property::ConstantContactForce;
-        if has(OLD_CONSTANT_TAG) && !has(constant.name()) {
+        if has(OLD_CONSTANT_TAG) && !has(constant.as_str()) {
             let values = set.values.iter_mut().filter(|value| value.property == constant);
             values.for_each(|value| *value = document.value(element, set.class, constant, OLD_CONSTANT_TAG));
         }
@@ -320,8 +320,8 @@ impl<'r> ContactReader<'r> {
             None => self.record_misnamed_set(id, document, element),
         }
         let class = Class::HuntCrossleyForce;
-        let transition_velocity =
-            document.value(element, class, Property::TransitionVelocity, Property::TransitionVelocity.name());
+        let velocity = Property::TransitionVelocity;
+        let transition_velocity = document.value(element, class, velocity, velocity.as_str());
         self.push_force(id, ForceKind::HuntCrossley, sets, transition_velocity)
     }
 
@@ -332,7 +332,7 @@ impl<'r> ContactReader<'r> {
         class: Class,
         number: Option<usize>,
     ) -> ParameterSet {
-        let value = |&property: &Property| document.value(element, class, property, property.name());
+        let value = |&property: &Property| document.value(element, class, property, property.as_str());
         ParameterSet {
             id: SetId(number.unwrap_or_default()),
             number,

@@ -237,7 +237,7 @@ impl NotedParts {
 }
 
 fn properties_of_forces() -> impl Iterator<Item = Property> {
-    Property::ALL.into_iter().filter(|property| *property != Property::Radius)
+    Property::changeable().filter(|property| *property != Property::Radius)
 }
 
 impl NotedNames {

@@ -273,7 +273,7 @@ impl Model {
 /// Properties with different values, and properties that only one of the two records has.
 fn differing_properties(then: &NotedParts, now: &NotedParts) -> Vec<Property> {
     let differs = |property: &Property| then.properties.get(property) != now.properties.get(property);
-    Property::ALL.into_iter().filter(differs).collect()
+    Property::changeable().filter(differs).collect()
 }
 
 #[cfg(test)]

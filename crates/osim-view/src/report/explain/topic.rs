@@ -143,7 +143,7 @@ pub struct QuantityTopic {
 }
 
 static QUANTITIES: LazyLock<Vec<QuantityTopic>> = LazyLock::new(|| {
-    let properties = Property::ALL.into_iter().chain([Property::Mass]).map(QuantityTopic::of_property);
+    let properties = Property::ALL.iter().copied().map(QuantityTopic::of_property);
     let figures = Figure::ALL.iter().map(|figure| figure.info());
     let designs = DesignQuantity::ALL.iter().map(|quantity| quantity.info());
     let drops = DropFigure::ALL.iter().map(|figure| figure.info());
@@ -186,7 +186,7 @@ impl QuantityTopic {
 
     fn of_property(property: Property) -> Self {
         let (equation, what) = equation_and_meaning(property);
-        Self { equation, ..Self::new(property.name(), property.unit(), what) }
+        Self { equation, ..Self::new(property.as_str(), property.unit(), what) }
     }
 
     fn of_register(quantity: &'static Quantity) -> Self {

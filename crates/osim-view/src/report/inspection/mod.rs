@@ -141,7 +141,7 @@ fn table_of_forces(inspected: &Inspection, layout: Layout) -> String {
     text.push_str("  (E1*, E* in N/m2, alpha and bv in s/m, slip in m/s, cf in m2, bd in 1/m;\n");
     text.push_str("   friction static/dynamic/viscous)\n");
     let has_default =
-        |force: &InspectedForce| Property::ALL.iter().any(|&property| force.is_default(property));
+        |force: &InspectedForce| Property::changeable().any(|property| force.is_default(property));
     if inspected.forces.iter().any(has_default) {
         text.push_str("  (* not in the file: from <defaults> or OpenSim's class default)\n");
     }
@@ -335,10 +335,8 @@ fn parameter_cells(force: &InspectedForce, extent: Extent) -> Vec<String> {
 
 /// The numbers from which the cells of a force are made. Forces with equal numbers have equal cells.
 fn exact_parameters(force: &InspectedForce) -> (Vec<(Option<u64>, bool)>, Option<u64>) {
-    let one = |&property: &Property| {
-        (force.parameter(property).map(f64::to_bits), force.is_default(property))
-    };
-    (Property::ALL.iter().map(one).collect(), force.composite_modulus_n_m2.map(f64::to_bits))
+    let one = |property| (force.parameter(property).map(f64::to_bits), force.is_default(property));
+    (Property::changeable().map(one).collect(), force.composite_modulus_n_m2.map(f64::to_bits))
 }
 
 /// A number of the file: all its digits if these are at most eight letters, else four significant digits.
