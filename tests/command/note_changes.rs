@@ -76,8 +76,11 @@ fn note_records_stance_limbs_alone() {
     dir.write("stale.osim", stale);
     dir.run("note stale.osim --stance-limbs 2 -o doubt.osim").succeeded();
     dir.run("doubt.osim --target-mass 80 -o no.osim").exited_with(1).says(&["--contacts-mass"]);
-    // Without either option the call is refused.
+    // Without either option the call is refused, and so is a model that has nothing to note.
     dir.run("note human.osim").exited_with(2).says(&["--contacts-mass"]);
+    dir.run("remove human.osim -o bare.osim").succeeded();
+    let run = dir.run("note bare.osim --contacts-mass 62").failed().wrote_nothing();
+    run.says(&["the model has no contacts"]);
 }
 
 #[test]

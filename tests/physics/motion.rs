@@ -340,7 +340,8 @@ fn a_motion_plot_shows_model_and_plates() {
     // Without plates there is no such curve.
     dir.run("plot motion walker.osim --motion walk.mot -o alone.svg").succeeded();
     assert!(!dir.text("alone.svg").contains("\nplates\n"));
-    dir.run("plot motion walker.osim -o none.svg").usage_error().says(&["--motion FILE"]);
+    dir.run("plot motion walker.osim -o none.svg").usage_error().says(&["give --motion FILE"]);
+    dir.run("plot drop walker.osim --motion walk.mot -o a.svg").usage_error().says(&["leave out --motion"]);
     dir.run("plot force walker.osim --motion walk.mot -o none.svg").usage_error().says(&["--motion FILE"]);
 }
 

@@ -1,7 +1,7 @@
 //! The verb `note`: writes into the model for which mass and how many limbs its contacts were made.
 
-use osim_model::Model;
 use osim_model::messages::{Input, Verb, phrase};
+use osim_model::{Model, Selection};
 use osim_patch::{note, note_stance_limbs};
 use osim_requests::options::{InspectionOptions, MassOptions};
 use osim_requests::{Acceleration, Count, NoteRequest, RequestFault};
@@ -46,13 +46,18 @@ pub(super) fn prepare(request: NoteRequest) -> Result<PreparedChange, RequestFau
     let masses = MassOptions { contacts_mass, ..MassOptions::default() };
     let gravity_m_s2 = contacts_gravity.map(Acceleration::get);
     let known_masses = masses.request();
-    let planner = move |model: &Model| match noted {
-        NewNote::Mass(kg, limbs) => {
-            let mut plan = note(model, kg, gravity_m_s2.or(model.gravity()), limbs)?;
-            plan.findings.extend(known_masses.disagreement_with_note(model));
-            Ok(plan)
+    let planner = move |model: &Model| {
+        // A model without contacts has nothing to note.
+        let forces: Vec<_> = model.forces().iter().map(|force| force.id).collect();
+        Selection::default().apply_among(model, &forces)?;
+        match noted {
+            NewNote::Mass(kg, limbs) => {
+                let mut plan = note(model, kg, gravity_m_s2.or(model.gravity()), limbs)?;
+                plan.findings.extend(known_masses.disagreement_with_note(model));
+                Ok(plan)
+            }
+            NewNote::StanceLimbs(limbs) => Ok(note_stance_limbs(model, limbs)),
         }
-        NewNote::StanceLimbs(limbs) => Ok(note_stance_limbs(model, limbs)),
     };
     let inspection = InspectionOptions { masses, set_files, answers, ..InspectionOptions::default() };
     Ok(PreparedChange::new(Verb::Note, request.models, output, inspection, planner))

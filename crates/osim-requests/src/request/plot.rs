@@ -114,11 +114,13 @@ impl PlotRequest {
                 Input::TargetMass,
             ]));
         }
-        if (self.kind == Some(PlotKind::Motion)) != self.motion.is_some() {
-            return Err(RequestFault::general(phrase![
-                "only the plot of motion takes a recording: give ",
-                Input::Motion.with_placeholder("FILE"),
-            ]));
+        let is_motion = self.kind == Some(PlotKind::Motion);
+        if is_motion != self.motion.is_some() {
+            let text = match is_motion {
+                true => "the plot of motion needs a recording: give ",
+                false => "only the plot of motion takes a recording: leave out ",
+            };
+            return Err(RequestFault::general(phrase![text, Input::Motion.with_placeholder("FILE")]));
         }
         if self.heat.table.is_some() {
             if self.kind != Some(PlotKind::Sweep) || !self.models.is_empty() || self.target_mass.is_some() {
