@@ -190,6 +190,9 @@ fn wrong_recordings_are_refused_with_a_reason() {
     assert_refused(&dir, "motion walker.osim walk.mot --loads plates.xml", "--plates");
     // A file under the option of the other.
     assert_refused(&dir, "motion walker.osim walk.mot --plates plates.xml", "ExternalLoads go with --loads");
+    // So is a check: of a file that is not read, no verdict follows.
+    assert_refused(&dir, "check walker.osim --motion walk.mot --plates plates.xml", "go with --loads");
+    assert_refused(&dir, "check walker.osim --motion . --plates plates.sto", "this is a folder");
     let loads = "motion walker.osim walk.mot --plates plates.sto --loads plates.sto";
     assert_refused(&dir, loads, "plates.sto: it is not XML, expected an ExternalLoads file");
     assert_refused(&dir, "motion walker.osim walk.mot --low-pass 60", "below half of that, 50 Hz");

@@ -55,7 +55,7 @@ pub use crate::calculator::{DesignFigure, DesignLimit, DesignSheet, design_sheet
 pub use crate::drop_test::{ComparedDrop, DropResult, DropRow, run_drop_test};
 pub use crate::fit_curve::{FitResult, run_fit};
 pub use crate::inspector::Inspector;
-pub use crate::motion::{MotionResult, PlatesRead, run_motion};
+pub use crate::motion::{MotionResult, PlatesRead, run_motion, unreadable_recording};
 pub use crate::motion_consistency::{Consistency, MotionRemark};
 pub use crate::next_models::{MocoStart, NextModels};
 pub use crate::opening::{all_preset_names, find_presets, may_be_file, open_with, presets_of_unlike_spheres};

@@ -11,7 +11,7 @@ use osim_motion::{
     AngleUnit, Belt, ContactStates, ExternalLoads, Foot, Gap, LONGEST_BRIDGED_GAP_S, MeasuredForces,
     MotionFault, Plate, PressureOnSole, Recording, RecordingOptions, StatesError, Summary, Table,
 };
-use osim_requests::{AngleChoice, MotionRequest, Positive, RequestFault, Result, Signed};
+use osim_requests::{AngleChoice, CheckRequest, MotionRequest, Positive, RequestFault, Result, Signed};
 
 use crate::motion_consistency::{Consistency, correction_options};
 use crate::opening::{open_with, read};
@@ -281,7 +281,7 @@ impl PlatesRead {
             let plates = Plate::from_columns(&table).map_err(|fault| failure(&file, &fault))?;
             return Ok(Self { file, loads: None, other_data_file: None, plates, gaps, repeated_rows });
         };
-        let loads = ExternalLoads::read(&read(path, files)?).map_err(|fault| failure(path, &fault))?;
+        let loads = read_loads(path, files)?;
         let plates = Plate::from_loads(&table, &loads).map_err(|fault| failure(&file, &fault))?;
         let own_name = file.file_name().map(|name| name.to_string_lossy().into_owned());
         let other_data_file =
@@ -316,6 +316,19 @@ impl PlatesRead {
 /// It cannot be read, with the line.
 pub(crate) fn read_table(path: &Path, files: &dyn Files) -> Result<Table, Failure> {
     Table::read(&read(path, files)?).map_err(|fault| failure(path, &fault))
+}
+
+fn read_loads(path: &Path, files: &dyn Files) -> Result<ExternalLoads, Failure> {
+    ExternalLoads::read(&read(path, files)?).map_err(|fault| failure(path, &fault))
+}
+
+/// Why a file of the recording that a check names cannot be read; `None` if all can. Pipes are read once, by the check itself.
+pub fn unreadable_recording(request: &CheckRequest, files: &dyn Files) -> Option<Failure> {
+    let is_pipe = |path: &Path| path.exists() && !path.is_file() && !path.is_dir();
+    let is_file = |path: &&PathBuf| path.as_os_str() != "-" && !is_pipe(path);
+    let tables = [&request.motion, &request.plates].into_iter().flatten().filter(is_file);
+    let loads = request.loads.iter().filter(is_file).filter_map(|path| read_loads(path, files).err());
+    tables.filter_map(|path| read_table(path, files).err()).chain(loads).next()
 }
 
 /// The failure for a fault in a motion file, with its line.

@@ -6,9 +6,8 @@ use std::path::PathBuf;
 use anyhow::{Result, bail};
 use osim_library::{Disk, Sources, Survey, SurveyedModel, resolved};
 use osim_model::Severity;
-use osim_model::files::{Failure, Files};
 use osim_model::messages::{Call, Input, Verb};
-use osim_planning::Inspector;
+use osim_planning::{Inspector, unreadable_recording};
 use osim_requests::options::SheetFormat;
 use osim_requests::{CheckRequest, InspectRequest};
 use osim_view::report::json::line;
@@ -59,11 +58,7 @@ pub(crate) fn check(request: &CheckRequest, session: &mut Session) -> Result<Exi
         bail!("{} is the model itself: name the one that it was scaled from with {from}", model.display());
     }
     let json = request.format == SheetFormat::Json;
-    let recording = [&request.motion, &request.plates, &request.loads].into_iter().flatten();
-    // A pipe is read once.
-    let mut no_files = recording.filter(|path| path.as_os_str() != "-" && (path.is_dir() || !path.exists()));
-    if let Some((path, error)) = no_files.find_map(|path| Some((path, Disk.read(path).err()?))) {
-        let failure = Failure::outside(path.as_path(), "unreadable", error.to_string());
+    if let Some(failure) = unreadable_recording(request, &Disk) {
         return session.report_failure(&failure, json);
     }
     let inspector = Inspector::for_check(request, &Disk);
