@@ -124,6 +124,7 @@ fn a_verb_after_its_model_and_an_option_of_another_verb_get_a_suggestion() {
         ("human.osim stiffness=1e6", "did you mean 'set human.osim stiffness=1e6'?"),
         ("rescale help", "'help' is not a file; as a verb it would be the first word"),
         ("set human.osim stiffness 1e6", "a property and its value are one word: write stiffness=1e6"),
+        ("add human.osim --feet toes_r toes_l --count 4", "did you mean --feet toes_r,toes_l?"),
         ("set human.osim stiffness = 1e6", "a property and its value are one word: write stiffness=1e6"),
         ("add human.osim --preset falisse2022", "did you mean --from?"),
         // `-d ry-run` would be a folder.

@@ -23,7 +23,7 @@ use crate::args::{
 };
 use crate::exit::{Exit, exit_of, text_of};
 use crate::one_call::{COMMAND_LINE_WORDS, Session};
-use crate::suggestions::{suggest, suggested_axis, suggested_figure, suggested_plates};
+use crate::suggestions::{suggest, suggested_axis, suggested_figure, suggested_list, suggested_plates};
 use crate::terminal::{Terminal, without_closed_pipe};
 
 /// Runs the command with the arguments of the command line.
@@ -59,8 +59,9 @@ pub fn main() -> ExitCode {
 fn call_of_arguments(columns: Option<usize>) -> Result<(Result<Call, RequestFault>, bool), clap::Error> {
     let mut words = std::env::args_os().skip(1).peekable();
     let first = words.peek().cloned();
-    let one_dash = std::env::args_os().skip(1).find_map(|word| message_about_one_dash(word.to_str()?));
-    if let Some(text) = one_dash {
+    let typed: Vec<String> = std::env::args_os().skip(1).filter_map(|word| word.into_string().ok()).collect();
+    let one_dash = typed.iter().find_map(|word| message_about_one_dash(word));
+    if let Some(text) = one_dash.or_else(|| suggested_list(&typed)) {
         return Ok((Err(RequestFault::general(text)), false));
     }
     // To put the help together takes longer than to read the words, so it is done where something is to be shown. If `-h` is only the

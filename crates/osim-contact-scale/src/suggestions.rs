@@ -2,10 +2,12 @@
 
 use std::path::{Path, PathBuf};
 
-use osim_library::SplitName;
 use osim_library::report_page::Words;
+use osim_library::{Disk, SplitName};
 use osim_model::messages::{Input, Phrase, Verb, phrase};
 use osim_model::{Property, nearest_names};
+use osim_planning::may_be_file;
+use osim_requests::register::{List, option_named};
 use osim_requests::{AxisName, Kilograms, PlotKind, no_fig1};
 
 use crate::args::{begins_alike, verb_names};
@@ -85,6 +87,25 @@ pub(crate) fn suggested_plates(words: &[String], terms: Words) -> Option<String>
     let are_names = is_motion && is_table(motion) && is_table(plates);
     let meant: Phrase = phrase!["did you mean {}?"; Input::Plates.with_value(plates.as_str())];
     are_names.then(|| format!("'{plates}' is a third name after motion: {}", meant.spelled(terms)))
+}
+
+/// The message that a blank is in a list of values, as in `--feet toes_r toes_l`, whose second body would be taken for a model.
+pub(crate) fn suggested_list(words: &[String]) -> Option<String> {
+    let verb = words.first().and_then(|word| Verb::find(word)).unwrap_or(Verb::Rescale);
+    let takes_list = |word: &str| {
+        let name = word.strip_prefix("--").unwrap_or_default().replace('-', "_");
+        option_named(verb, &name).is_some_and(|option| option.list == List::Commas)
+    };
+    let is_value = |word: &str| !word.starts_with('-') && !word.contains('=');
+    words.windows(3).find_map(|typed| match typed {
+        [option, first, next]
+            if takes_list(option) && is_value(next) && !may_be_file(Path::new(next), &Disk) =>
+        {
+            let first = first.trim_end_matches(',');
+            Some(format!("'{next}' is no file: did you mean {option} {first},{next}? (see --help)"))
+        }
+        _ => None,
+    })
 }
 
 /// The kilograms in an argument such as `20`, `20kg` or `20000g`.
