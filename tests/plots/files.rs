@@ -31,7 +31,9 @@ fn an_existing_file_is_replaced_only_with_force() {
     let dir = TestDir::new();
     dir.write("force.svg", "mine");
     let call = "plot force falisse2022 -o force.svg";
-    dir.run(call).usage_error().wrote_nothing().says(&["exists already", "--force"]);
+    let run = dir.run(call).usage_error().wrote_nothing();
+    // A figure has no folder to be written into.
+    run.says(&["exists already: choose another name, or replace it with --force"]).says_not(&["-d"]);
     dir.run(&format!("{call} --force")).succeeded().wrote(&["force.svg"]);
 }
 

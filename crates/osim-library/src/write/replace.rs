@@ -91,10 +91,17 @@ impl PendingFile {
         }
         let existing = existing.filter(|existing| !mode.is_of_other_run(existing));
         if existing.is_some() && matches!(mode, WriteMode::New | WriteMode::NewSince(_)) {
-            return Err(LibraryFault::new(phrase![
-                "{} exists already: choose another name ({}) or folder ({}), or replace it with {}";
-                shown.display().to_string(), Input::Output, Input::OutputDir, Input::Force
-            ]));
+            let name = shown.display().to_string();
+            return Err(LibraryFault::new(match mode {
+                WriteMode::NewSince(_) => phrase![
+                    "{} exists already: choose another name ({}) or folder ({}), or replace it with {}";
+                    name, Input::Output, Input::OutputDir, Input::Force
+                ],
+                // Figures, motions and tables have options of their own.
+                _ => {
+                    phrase!["{} exists already: choose another name, or replace it with {}"; name, Input::Force]
+                }
+            }));
         }
         let cannot = || format!("cannot write into {}", folder_of(&shown).display());
         let like = existing.as_ref().or(like);
