@@ -125,8 +125,8 @@ def before_and_after(before, after):
     """The whole body on the left of each half, its foot larger in a lens on the right."""
     sole, parts = lowest(after), [ground(0, 380, 800, 40), line(0, 380, 800, 380, INK, 2)]
     texts = (
-        ("After OpenSim's Scale Tool", ORANGE, "spheres of an adult:"),
-        ("After osim-contact-scale", BLUE, "spheres for this body:"),
+        ("After OpenSim's Scale Tool", ORANGE, "an adult's spheres: radius"),
+        ("After osim-contact-scale", BLUE, "its own spheres: radius"),
     )
     for left, spheres, (title, colour, text) in zip((0, 400), (before, after), texts):
         ankle, x, y, lens = (0.0, -lowest(spheres)), left + 268, 232, 118
