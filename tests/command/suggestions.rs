@@ -128,8 +128,13 @@ fn a_verb_after_its_model_and_an_option_of_another_verb_get_a_suggestion() {
         ("set human.osim stiffness = 1e6", "a property and its value are one word: write stiffness=1e6"),
         ("add human.osim --preset falisse2022", "did you mean --from?"),
         // `-d ry-run` would be a folder.
-        ("human.osim --target-mass 80 -dry-run", "'-dry-run' has one dash: did you mean --dry-run?"),
-        ("human.osim -target-mass=80", "'-target-mass' has one dash: did you mean --target-mass?"),
+        (
+            "human.osim --target-mass 80 -dry-run",
+            "'-dry-run' does not begin with two hyphens: did you mean --dry-run?",
+        ),
+        ("human.osim -target-mass=80", "did you mean --target-mass?"),
+        // As word processors write it, and pages that are printed.
+        ("check human.osim –from g.osim", "'–from' does not begin with two hyphens: did you mean --from?"),
         ("/?", "the help is printed by 'help'"),
         ("plot human.osim -o f.svg", "name one before the model, as in 'plot force human.osim'"),
         ("motion human.osim walk.mot plates.sto", "did you mean --plates plates.sto?"),

@@ -292,11 +292,15 @@ pub(crate) fn usage_line(error: &clap::Error) -> String {
     Phrase::from(line).to_string()
 }
 
-/// The message about an option with one dash, such as `-from`, which the parser reads as `-f rom`; `None` for other words.
-pub(crate) fn message_about_one_dash(word: &str) -> Option<String> {
-    let name = word.strip_prefix('-')?.split('=').next().filter(|name| name.len() > 1)?;
-    let is_option = name == "version" || !verbs_with_option(name).is_empty();
-    is_option.then(|| format!("'-{name}' has one dash: did you mean --{name}? (see --help)"))
+/// The message about an option with one hyphen, such as `-from`, which the parser reads as `-f rom`, or with the dash of a word processor,
+/// which makes it a model; `None` for other words.
+pub(crate) fn message_about_dashes(word: &str) -> Option<String> {
+    let dashes = ['-', '–', '—', '−'];
+    let name = word.trim_start_matches(dashes).split('=').next()?;
+    let is_odd = word.starts_with(dashes) && !word.starts_with("--") && name.len() > 1;
+    let what = "does not begin with two hyphens: did you mean";
+    (is_odd && (name == "version" || !verbs_with_option(name).is_empty()))
+        .then(|| format!("'{}' {what} --{name}? (see --help)", shown(word)))
 }
 
 /// The names of the verbs that have an option.

@@ -19,7 +19,7 @@ use osim_model::messages::Verb;
 use osim_requests::{PlotKind, RequestFault};
 
 use crate::args::{
-    Call, bare_command, command, is_quiet, message_about_one_dash, typed_call, usage_line, verb_names,
+    Call, bare_command, command, is_quiet, message_about_dashes, typed_call, usage_line, verb_names,
 };
 use crate::exit::{Exit, exit_of, text_of};
 use crate::one_call::{COMMAND_LINE_WORDS, Session};
@@ -60,8 +60,8 @@ fn call_of_arguments(columns: Option<usize>) -> Result<(Result<Call, RequestFaul
     let mut words = std::env::args_os().skip(1).peekable();
     let first = words.peek().cloned();
     let typed: Vec<String> = std::env::args_os().skip(1).filter_map(|word| word.into_string().ok()).collect();
-    let one_dash = typed.iter().find_map(|word| message_about_one_dash(word));
-    if let Some(text) = one_dash.or_else(|| suggested_list(&typed)) {
+    let dashes = typed.iter().find_map(|word| message_about_dashes(word));
+    if let Some(text) = dashes.or_else(|| suggested_list(&typed)) {
         return Ok((Err(RequestFault::general(text)), false));
     }
     // To put the help together takes longer than to read the words, so it is done where something is to be shown. If `-h` is only the
