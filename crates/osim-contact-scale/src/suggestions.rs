@@ -96,11 +96,10 @@ pub(crate) fn suggested_list(words: &[String]) -> Option<String> {
         let name = word.strip_prefix("--").unwrap_or_default().replace('-', "_");
         option_named(verb, &name).is_some_and(|option| option.list == List::Commas)
     };
-    let is_value = |word: &str| !word.starts_with('-') && !word.contains('=');
+    let is_word = |word: &str| !word.starts_with('-') && !word.contains('=');
+    let is_value = |word: &str| is_word(word) && !may_be_file(Path::new(word), &Disk);
     words.windows(3).find_map(|typed| match typed {
-        [option, first, next]
-            if takes_list(option) && is_value(next) && !may_be_file(Path::new(next), &Disk) =>
-        {
+        [option, first, next] if takes_list(option) && is_value(first) && is_value(next) => {
             let first = first.trim_end_matches(',');
             Some(format!("'{next}' is no file: did you mean {option} {first},{next}? (see --help)"))
         }
