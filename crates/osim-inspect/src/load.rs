@@ -31,6 +31,15 @@ impl Stance {
     pub fn limb_count(&self, model: &Model) -> f64 {
         self.limbs.or(model.noted_stance_limbs()).unwrap_or(1.0)
     }
+
+    /// What carries the body, in words: `limbs`, or as many spheres as the caller gives.
+    pub(crate) fn carriers(&self, limbs: f64) -> String {
+        match (self.spheres, limbs) {
+            (Some(count), _) => format!("{} of them,", readable(count)),
+            (None, 1.0) => "one limb".to_owned(),
+            (None, limbs) => format!("{} limbs", readable(limbs)),
+        }
+    }
 }
 
 /// Options of an inspection: masses, choice of forces, and load.

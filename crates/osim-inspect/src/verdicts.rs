@@ -237,7 +237,8 @@ fn describe_mass(inspected: &InspectedModel<'_>) -> Result<Phrase, Phrase> {
     let weighs = inspected.inspection.figures.mass_kg.map(readable).unwrap_or_default();
     let made_for = made_for(inspected).unwrap_or_else(|| "no note says for which mass they were made".into());
     let x_hat = four_significant(deepest);
-    Ok(phrase![&made_for, format!("; under {weighs} kg on one limb the deepest sphere sinks in {x_hat} R")])
+    let on = &inspected.inspection.carriers;
+    Ok(phrase![&made_for, format!("; under {weighs} kg on {on} the deepest sphere sinks in {x_hat} R")])
 }
 
 /// The recorded mass that the contacts are made for: `made for 500 kg (note in the file, by rescale)`.

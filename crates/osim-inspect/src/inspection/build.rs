@@ -99,6 +99,7 @@ impl InspectOptions {
             note: None,
             limbs: limbs.if_known().map(inspected_limbs),
             stance_limbs,
+            carriers: self.stance.carriers(stance_limbs),
             spheres_per_limb: limbs.spheres_per_limb().ok(),
             limbs_unknown: limbs.spheres_per_limb().err(),
             spheres: inspected_spheres(model, limbs),

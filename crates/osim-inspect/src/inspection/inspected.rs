@@ -48,6 +48,9 @@ pub struct Inspection {
     pub limbs: Option<Vec<InspectedLimb>>,
     /// Limbs that share the body weight.
     pub stance_limbs: f64,
+    /// What carries the body in the figures, in words.
+    #[serde(skip)]
+    pub carriers: String,
     /// Number of spheres of each limb, if all have equally many.
     pub spheres_per_limb: Option<usize>,
     /// Why the limbs, or one number of spheres for all limbs, are not known, in words.

@@ -51,7 +51,7 @@ fn sunk_in_level(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> {
     let x = four_significant(affected.largest);
     let text = format!(
         "too soft: at body weight on {} spheres sink {x} R into the floor (x/R by Hertz)",
-        carrying_limbs(check)
+        check.inspected.carriers
     );
     let mut finding = check.finding_at_sphere(&SUNK_IN, &text, &affected);
     Some(match ManyLimbs::of(check) {
@@ -73,14 +73,6 @@ fn advice_if_made_for_this_body(check: &FigureCheck<'_>) -> Option<Phrase> {
     ])
 }
 
-/// The limbs that carry the body, in words.
-fn carrying_limbs(check: &FigureCheck<'_>) -> String {
-    match check.inspected.stance_limbs {
-        1.0 => "one limb".to_owned(),
-        limbs => format!("{} limbs", readable(limbs)),
-    }
-}
-
 /// Finds limbs whose lower spheres alone carry the weight that all spheres should carry. The contacts are not too soft. The finding is a
 /// remark if the foot leans, because then the pose decides which spheres are low.
 fn sunk_in_at_own_heights(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> {
@@ -100,7 +92,7 @@ fn sunk_in_at_own_heights(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> 
         let text = format!(
             "at the default pose the foot is tilted, and at body weight on {} its lower spheres alone carry the body and sink {} R into the \
              floor",
-            carrying_limbs(check),
+            check.inspected.carriers,
             four_significant(affected.largest)
         );
         let finding = check.finding_at_sphere(&SUNK_IN, &text, &affected).with_severity(Severity::Remark);
@@ -111,7 +103,7 @@ fn sunk_in_at_own_heights(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> 
     let text = format!(
         "at body weight on {} the lower spheres carry the body alone, and sink {x} R into the floor (x/R with each sphere at its own \
          height at the default pose)",
-        carrying_limbs(check)
+        check.inspected.carriers
     );
     Some(FindingWithRemedy::new(check.finding_at_sphere(&SUNK_IN, &text, &affected), level_feet(check)))
 }
@@ -139,15 +131,24 @@ impl ManyLimbs {
         (limbs > 2 && is_counted).then_some(Self { limbs, stance_limbs: check.inspected.stance_limbs })
     }
 
-    /// Adapts `finding`, that spheres sink in by `x` of their radius, to a body with many limbs: adds x/R on two limbs, and advice.
-    fn sunk_in(&self, mut finding: Finding, x: f64, check: &FigureCheck<'_>) -> FindingWithRemedy {
+    /// The least number of limbs that carry the body, and x/R on them, if it is `x` in the figures.
+    fn on_carrying_limbs(&self, x: f64) -> (f64, f64) {
         let carrying = self.stance_limbs.max(LEAST_CARRYING_LIMBS);
         // Equal spheres share the load, and x̂ follows F^(2/3) (3).
-        let x_hat = x * (self.stance_limbs / carrying).powf(2.0 / 3.0);
-        let on = format!("on {} of its {} limbs", readable(carrying), self.limbs);
-        if self.stance_limbs < carrying {
-            finding.message.push(format!("; {on} it is {} R", four_significant(x_hat)));
-        }
+        (carrying, x * (self.stance_limbs / carrying).powf(2.0 / 3.0))
+    }
+
+    /// x/R on more limbs than in the figures, in words; empty if so many carry the body there.
+    fn on_more_limbs(&self, x: f64) -> String {
+        let (carrying, x_hat) = self.on_carrying_limbs(x);
+        let on = format!("; on {} of its {} limbs it is ", readable(carrying), self.limbs);
+        if self.stance_limbs < carrying { on + &four_significant(x_hat) + " R" } else { String::new() }
+    }
+
+    /// Adapts `finding`, that spheres sink in by `x` of their radius, to a body with many limbs: adds x/R on two limbs, and advice.
+    fn sunk_in(&self, mut finding: Finding, x: f64, check: &FigureCheck<'_>) -> FindingWithRemedy {
+        let (carrying, x_hat) = self.on_carrying_limbs(x);
+        finding.message.push(self.on_more_limbs(x));
         match x_hat < UP_TO_CENTRE_RADII {
             // The contacts may be right, because no animal stands on one of four limbs.
             true => {
@@ -201,7 +202,7 @@ pub(crate) fn find_too_stiff_contacts(check: &FigureCheck<'_>) -> Option<Finding
     let x = four_significant(-affected.largest);
     let text = format!(
         "too stiff: at body weight on {} spheres sink {x} R into the floor (x/R by Hertz), expected at least {LEAST_PLAUSIBLE_INDENTATION}",
-        carrying_limbs(check)
+        check.inspected.carriers
     );
     Some(check.finding_at_sphere(&TOO_STIFF, &text, &affected).into())
 }
@@ -229,11 +230,14 @@ fn find_beyond(
     let beyond = |sphere: &SphereFigures| value_beyond_limit(sphere, figure).filter(|&x| is_about(sphere, x));
     let affected = check.spheres_with(beyond)?;
     let (x, limit) = (four_significant(affected.largest), INDENTATION.value);
-    let text =
-        format!("under {under} on one limb spheres sink in {x} R, and Hertz theory holds up to {limit} R");
+    let text = format!(
+        "under {under} on {} spheres sink in {x} R, and Hertz theory holds up to {limit} R",
+        check.inspected.carriers
+    );
     let finding = check.finding_at_sphere(rule, &text, &affected);
     let Some(ways) = ways_within_hertz(affected.largest) else { return Some(finding.into()) };
-    let message = phrase![&finding.message, "; ", ways];
+    let more = ManyLimbs::of(check).map(|limbs| limbs.on_more_limbs(affected.largest));
+    let message = phrase![&finding.message, more.unwrap_or_default(), "; ", ways];
     Some(finding.with_message(message).into())
 }
 

@@ -68,7 +68,31 @@ fn what_is_proposed_for_a_horse_puts_it_right_on_one_limb_and_on_two() {
     assert_eq!(InspectOptions::default().inspect(NAME, &model, None).stance_limbs, 2.0);
     // Falisse et al. (2022) have x̂ = 0.353 on one human limb, and so has the horse on two.
     let said = message(&check_with(NAME, &text, &options_of_trot()), FindingCode::BeyondHertz);
-    assert!(said.contains("sink in 0.353"), "{said}");
+    assert!(said.contains("on 2 limbs spheres sink in 0.353"), "{said}");
+}
+
+#[test]
+fn a_horse_is_told_how_deep_it_is_on_two_limbs() {
+    // x̂ is 0.560829 on one limb, and 2^(-2/3) of that, 0.3533, on two, as that of Falisse et al. (2022).
+    let said = |stance: Stance| {
+        let options = InspectOptions { stance, ..InspectOptions::default() };
+        message(&check_with(NAME, HORSE, &options), FindingCode::BeyondHertz)
+    };
+    let alone = said(Stance::default());
+    assert!(alone.starts_with("under body weight on one limb spheres sink in 0.5608 R"), "{alone}");
+    assert!(
+        alone.contains("; on 2 of its 4 limbs it is 0.3533 R; one of these alone gives 0.16 R"),
+        "{alone}"
+    );
+    // What was said is repeated, and no more.
+    for (stance, on) in [
+        (Stance { limbs: Some(2.0), ..Stance::default() }, "2 limbs"),
+        (Stance { spheres: Some(10.0), ..Stance::default() }, "10 of them,"),
+    ] {
+        let said = said(stance);
+        assert!(said.starts_with(&format!("under body weight on {on} spheres sink in 0.3533 R")), "{said}");
+        assert!(!said.contains("of its 4 limbs"), "{said}");
+    }
 }
 
 #[test]
