@@ -3,7 +3,7 @@
 
 use std::collections::{BTreeSet, HashSet};
 
-use osim_inspect::StandingBody;
+use osim_inspect::{LoadSharing, StandingBody};
 use osim_model::feet::{Movements, Sole, angle_between};
 use osim_model::messages::{Input, Phrase, four_significant, phrase, readable, shown};
 use osim_model::{
@@ -294,10 +294,21 @@ pub(crate) fn question_about_scale(scales: &[BodyScale]) -> Option<Suspicion> {
     Some(Suspicion::Other { question: YesQuestion::ImplausibleScale, text })
 }
 
-/// A remark with the number of limbs that share the weight, if the number is from the note in `model` and not from the caller.
-pub(crate) fn remark_on_noted_limbs(counts: &CountOptions, model: &Model) -> Option<Phrase> {
-    let noted = model.noted_stance_limbs()?;
-    let is_given = counts.stance_limbs.is_some() || counts.spheres.is_some();
-    let text = format!("{} limbs share the weight, as the note in the model says: ", readable(noted));
-    (!is_given).then(|| phrase![text, Input::StanceLimbs, " says another number"])
+/// A remark with the number of limbs that share the weight, if the caller does not say it, and it is from the note in `model`, or one of
+/// more than two limbs with `forces` carries all. Without `forces`, as for contacts of the same animal, the latter does not matter.
+pub(crate) fn remark_on_limbs(
+    counts: &CountOptions,
+    model: &Model,
+    forces: Option<&[ForceId]>,
+) -> Option<Phrase> {
+    if counts.stance_limbs.is_some() || counts.spheres.is_some() {
+        return None;
+    }
+    if let Some(noted) = model.noted_stance_limbs() {
+        let text = format!("{} limbs share the weight, as the note in the model says: ", readable(noted));
+        return Some(phrase![text, Input::StanceLimbs, " says another number"]);
+    }
+    let limbs = LoadSharing::of(model, forces?).limbs.if_known()?.len();
+    let text = format!("one of {limbs} limbs carries the body; if two share its weight, say ");
+    (limbs > 2).then(|| phrase![text, Input::StanceLimbs.with_value("2")])
 }

@@ -20,8 +20,8 @@ use osim_requests::{ConstantIndentation, Request, RequestFault};
 use crate::prepared_change;
 
 pub(crate) use feet::{
-    JointPositions, question_about_pad, question_about_scale, remark_on_leaning_planes,
-    remark_on_noted_limbs, remark_on_other_planes, remark_on_standing, remarks_on_parts_of_feet,
+    JointPositions, question_about_pad, question_about_scale, remark_on_leaning_planes, remark_on_limbs,
+    remark_on_other_planes, remark_on_standing, remarks_on_parts_of_feet,
 };
 
 /// Refuses to apply a factor to the same file once more, if the note says that it was applied already and `may_repeat` is false.

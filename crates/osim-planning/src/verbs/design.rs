@@ -14,7 +14,7 @@ use osim_requests::{
 };
 
 use crate::prepared_change::{Planner, PreparedChange};
-use crate::remarks::remark_on_noted_limbs;
+use crate::remarks::remark_on_limbs;
 
 /// Plans the contact parameters that follow from a wanted behaviour.
 pub(super) struct DesignPlanner {
@@ -194,7 +194,8 @@ impl DesignPlanner {
             gravity_m_s2: self.load.gravity(),
         };
         let mut plan = design(model, selected, &wanted)?;
-        plan.remarks.extend(wanted.load.and(remark_on_noted_limbs(&self.counts, model)));
+        let limbs = remark_on_limbs(&self.counts, model, Some(&selected.forces));
+        plan.remarks.extend(wanted.load.and(limbs));
         let ways = options.indentation.and_then(|x| ways_within_hertz(x.get()));
         plan.remarks.extend(ways.map(|ways| phrase!["Hertz' law is not accurate at this x/R: ", ways]));
         Ok(plan)

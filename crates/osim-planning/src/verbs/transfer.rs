@@ -20,7 +20,7 @@ use super::reference::{
 };
 use crate::opening::NamedSource;
 use crate::prepared_change::{Planner, PreparedChange};
-use crate::remarks::{operation_with_radius, refuse_repetition, remark_on_noted_limbs};
+use crate::remarks::{operation_with_radius, refuse_repetition, remark_on_limbs};
 
 /// Checks the request and reads the reference once for all models.
 ///
@@ -262,7 +262,8 @@ impl TransferPlanner {
         plan.name_operation(&operation);
         plan.findings.append(&mut findings);
         plan.remarks.append(&mut remarks);
-        plan.remarks.extend(remark_on_noted_limbs(&self.counts, model));
+        let forces = generic.is_none().then_some(selected.forces.as_slice());
+        plan.remarks.extend(remark_on_limbs(&self.counts, model, forces));
         Ok(plan)
     }
 

@@ -120,6 +120,20 @@ fn a_horse_that_two_limbs_carry_is_not_told_to_change() {
     assert!(!has(&check_with(NAME, &horse_with_stiffness(0.35), &options_of_trot()), FindingCode::SunkIn));
 }
 
+#[test]
+fn a_transfer_to_a_horse_asks_how_many_limbs_carry_it() {
+    let files = InMemory::from_iter([(NAME, HORSE.to_owned())]);
+    let says = |more: &str| {
+        let request = format!(r#"{{"verb": "transfer", "models": ["{NAME}"], "from": "falisse2022"{more}}}"#);
+        let change = prepare(Request::from_json(request.as_bytes()).unwrap(), &files).unwrap();
+        let opened = change.open(NAME.as_ref(), &files).unwrap();
+        let plan = change.plan(&opened, &files).unwrap();
+        plan.remarks.iter().any(|one| one.to_string().starts_with("one of 4 limbs carries the body; if two"))
+    };
+    assert!(says(""));
+    assert!(!says(r#", "stance_limbs": 2"#) && !says(r#", "spheres": 10"#));
+}
+
 /// A human on the contacts of Falisse et al. (2022), with a sphere of 10 mm on each hand, in which one hand would sink to the centre. On
 /// forepaws it would be an error.
 #[test]
