@@ -130,7 +130,10 @@ fn a_table_that_is_not_a_manifest_is_refused_with_a_correction() {
     dir.run("batch m.csv -o x.osim").usage_error().says(&["column 'output'"]);
     std::fs::create_dir(dir.path("lib")).unwrap();
     let folder = dir.run("batch lib").usage_error();
-    folder.says(&["'lib' is a folder, expected a table", "'osim-contact-scale MODEL --target-mass KG'"]);
+    folder.says(&[
+        "'lib' is a folder, expected a table",
+        "'osim-contact-scale lib --target-mass KG -d RESULTS'",
+    ]);
 }
 
 #[test]

@@ -420,7 +420,8 @@ pub(crate) fn run_batch(request: &BatchRequest, session: &mut Session) -> Result
     let shown = manifest.display().to_string();
     if manifest.is_dir() {
         let call = Verb::Rescale.call_with_model().with_placeholder(Input::TargetMass, "KG");
-        let call = session.words.command(&call);
+        let call = call.with_placeholder(Input::OutputDir, "RESULTS");
+        let call = session.words.command(&call).replace("MODEL", &session.words.word(&shown));
         bail!("'{shown}' is a folder, expected a table (.csv or .xlsx); its models go with '{call}'");
     }
     let reader = RowReader::new(request).map_err(|fault| session.file_error(&fault))?;
