@@ -100,6 +100,21 @@ fn moved_plates_have_no_rows_without_data() {
     assert_eq!(last, [Some(2.4), Some(1.59)]);
 }
 
+/// Neither a few rows nor a motion with a gap can be corrected, and the reason is said.
+#[test]
+fn too_few_rows_are_not_corrected() {
+    let dir = TestDir::with(&FILES_OF_RECORDING);
+    let call = format!("{CALL_WITH_PLATES} --correct c.sto");
+    assert_refused(&dir, &format!("{call} --start 0.495 --end 0.565"), "the motion has 7 rows");
+    let motion = dir.text("walk.mot");
+    let is_kept = |line: &&str| {
+        let time = line.split('\t').next().and_then(|cell| cell.parse::<f64>().ok());
+        time.is_none_or(|time| !(1.005..1.195).contains(&time))
+    };
+    dir.write("walk.mot", motion.lines().filter(is_kept).map(|line| format!("{line}\n")).collect::<String>());
+    assert_refused(&dir, &call, "the motion has no rows from 1 to 1.2 s");
+}
+
 #[test]
 fn motion_compares_feet_with_plates() {
     let dir = TestDir::with(&FILES_OF_RECORDING);

@@ -35,7 +35,7 @@ pub use crate::recording::{Recording, RecordingFacts, RecordingOptions};
 pub use crate::sole::PressureOnSole;
 pub use crate::states::{Belt, CentreOfPressure, ContactState, ContactStates, StatesError, Wrench};
 pub use crate::summary::{FootSummary, SphereSummary, StanceSummary, Summary, TouchDown};
-pub use crate::table::{AngleUnit, CORRECTED_HEADER_LINE, Column, Gap, MotionFault, Table};
+pub use crate::table::{AngleUnit, CORRECTED_HEADER_LINE, Column, Gap, MotionFault, Table, gaps};
 
 /// The example of the README, which must compile.
 #[cfg(doctest)]

@@ -100,12 +100,25 @@ impl MeasuredForces {
         self.feet.iter().map(Vec::as_slice).filter(|forces| forces.iter().any(Option::is_some)).collect()
     }
 
-    /// The longest run of frames in which the force under every foot is known that has one in some frame.
-    pub fn longest_known(&self) -> Range<usize> {
-        let is_loaded = |forces: &&Vec<Option<Wrench>>| {
+    /// The forces under the feet that plates carry in some frame.
+    pub(crate) fn of_loaded_feet(&self) -> Vec<&[Option<Wrench>]> {
+        let is_loaded = |forces: &&[Option<Wrench>]| {
             forces.iter().flatten().any(|wrench| wrench.force_n != DVec3::ZERO)
         };
-        let feet: Vec<&Vec<Option<Wrench>>> = self.feet.iter().filter(is_loaded).collect();
+        self.feet.iter().map(Vec::as_slice).filter(is_loaded).collect()
+    }
+
+    /// The number of frames in which the plates have data.
+    pub fn frames_with_data(&self) -> usize {
+        let has_data = |frame: &usize| {
+            self.total[*frame].is_some() || self.feet.iter().any(|forces| forces[*frame].is_some())
+        };
+        (0..self.total.len()).filter(has_data).count()
+    }
+
+    /// The longest run of frames in which the force under every foot is known that has one in some frame.
+    pub fn longest_known(&self) -> Range<usize> {
+        let feet = self.of_loaded_feet();
         let is_known = |frame: usize| feet.iter().all(|forces| matches!(forces.get(frame), Some(Some(_))));
         let (mut longest, mut first) = (0..0, 0);
         for frame in 0..self.total.len() {

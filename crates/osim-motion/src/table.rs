@@ -80,12 +80,17 @@ impl Table {
         Err(MotionFault::at(*line, text))
     }
 
-    /// The time between rows, s, if all steps are equal within one percent; else `None`.
+    /// The time between rows, s, if all steps are equal within one percent, or but for times that are rounded to milliseconds; else
+    /// `None`.
     pub(crate) fn even_step_s(&self) -> Option<f64> {
         let (first, last) = (self.time_s.first()?, self.time_s.last()?);
         let mean = (last - first) / self.rows().checked_sub(1).filter(|&steps| steps > 0)? as f64;
         let is_even = |pair: &[f64]| matches!(pair, [a, b] if ((b - a) - mean).abs() <= 0.01 * mean);
-        self.time_s.windows(2).all(is_even).then_some(mean)
+        let rounded_s = (0.125 * mean).min(1e-3);
+        let is_rounded =
+            |(row, time): (usize, &f64)| (time - first - row as f64 * mean).abs() <= rounded_s;
+        let is_even = self.time_s.windows(2).all(is_even) || self.time_s.iter().enumerate().all(is_rounded);
+        is_even.then_some(mean)
     }
 
     /// Reads the header and returns the index of its line `endheader` in the file, from 0.
@@ -186,6 +191,7 @@ impl Table {
             return Err(MotionFault::new("it has no rows of numbers"));
         }
         refuse_falling_times(&time_s, &numbers)?;
+        refuse_other_units_of_time(&time_s)?;
         (self.time_s, self.columns, self.lines) = (time_s, columns, numbers);
         Ok(())
     }
@@ -201,16 +207,21 @@ impl Table {
     /// # Ok::<(), osim_motion::MotionFault>(())
     /// ```
     pub fn gaps(&self) -> Vec<Gap> {
-        let steps = self.time_s.windows(2).map(|pair| Gap { from_s: pair[0], to_s: pair[1] });
-        let mut lengths: Vec<f64> = steps.clone().map(|step| step.length_s()).collect();
-        let middle = lengths.len() / 2;
-        if lengths.is_empty() {
-            return Vec::new();
-        }
-        let (_, usual_s, _) = lengths.select_nth_unstable_by(middle, f64::total_cmp);
-        let longest_usual_s = LEAST_GAP_IN_STEPS * *usual_s;
-        steps.filter(|step| step.length_s() > longest_usual_s).collect()
+        gaps(&self.time_s)
     }
+}
+
+/// The time spans in which rows are missing, for rows at these times, as [`Table::gaps`].
+pub fn gaps(time_s: &[f64]) -> Vec<Gap> {
+    let steps = time_s.windows(2).map(|pair| Gap { from_s: pair[0], to_s: pair[1] });
+    let mut lengths: Vec<f64> = steps.clone().map(|step| step.length_s()).collect();
+    let middle = lengths.len() / 2;
+    if lengths.is_empty() {
+        return Vec::new();
+    }
+    let (_, usual_s, _) = lengths.select_nth_unstable_by(middle, f64::total_cmp);
+    let longest_usual_s = LEAST_GAP_IN_STEPS * *usual_s;
+    steps.filter(|step| step.length_s() > longest_usual_s).collect()
 }
 
 named! {
@@ -240,6 +251,19 @@ fn refuse_falling_times(time_s: &[f64], lines: &[usize]) -> Result<(), MotionFau
     let Some((pair, line)) = steps.find(|(pair, _)| pair[1] <= pair[0]) else { return Ok(()) };
     let text = format!("its time is {} s, after {} s: times must rise", pair[1], pair[0]);
     Err(MotionFault::at(*line, text))
+}
+
+/// Nobody records more rows than this at steps longer than this, s.
+const MOST_SLOW_ROWS: (usize, f64) = (100, 0.2);
+
+/// Refuses many rows that are so far apart that their times are no seconds.
+fn refuse_other_units_of_time(time_s: &[f64]) -> Result<(), MotionFault> {
+    let (rows, step_s) = MOST_SLOW_ROWS;
+    let all_s = time_s.last().zip(time_s.first()).map_or(0.0, |(last, first)| last - first);
+    let mean_s = all_s / time_s.len() as f64;
+    let text = "s: are its times in milliseconds, or numbers of frames? They have to be in seconds";
+    let is_slow = time_s.len() > rows && mean_s > step_s;
+    if is_slow { Err(MotionFault::new(format!("it has a row every {mean_s:.2} {text}"))) } else { Ok(()) }
 }
 
 // Names and numbers below the header.
@@ -376,11 +400,26 @@ mod tests {
     }
 
     #[test]
+    fn times_in_milliseconds_or_frames_are_refused() {
+        let read = |step: f64| {
+            let rows = (0..150).map(|row| format!("{} 1\n", step * f64::from(row))).collect::<String>();
+            Table::read(format!("endheader\ntime x\n{rows}").as_bytes())
+        };
+        assert!(read(0.1).is_ok());
+        for step in [1.0, 16.67] {
+            assert!(read(step).unwrap_err().message.contains("in milliseconds, or numbers of frames?"));
+        }
+    }
+
+    #[test]
     fn even_time_steps_are_recognised() {
         let table = |times: &[f64]| Table::from_times(times.to_vec()).unwrap();
         assert_eq!(table(&[0.0, 0.1, 0.3]).even_step_s(), None);
         assert!((table(&[1.0, 1.1, 1.2]).even_step_s().unwrap() - 0.1).abs() < 1e-12);
         assert_eq!(table(&[1.0]).even_step_s(), None);
+        // 60 Hz in milliseconds, without and with a missing row.
+        assert!((table(&[0.05, 0.067, 0.083, 0.1]).even_step_s().unwrap() - 1.0 / 60.0).abs() < 1e-12);
+        assert_eq!(table(&[0.05, 0.067, 0.1, 0.117]).even_step_s(), None);
     }
 
     fn gaps(times: &[f64]) -> Vec<(f64, f64)> {

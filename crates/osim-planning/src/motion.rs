@@ -100,7 +100,7 @@ pub(crate) fn run_opened(
         FollowedMotion { recording, states, feet, mass_and_gravity: (mass_kg, gravity_m_s2), belt };
     let mut result = followed.compared_with_plates(opened, FileName::from(motion.as_path()), plates);
     if let (Some(read), Some(measured)) = (&result.plates, &result.measured)
-        && measured.total.iter().all(Option::is_none)
+        && measured.frames_with_data() == 0
     {
         let why = "it has no time in common with the motion";
         return Err(Failure::outside(read.file.as_path(), "motion", why).into());
@@ -188,8 +188,7 @@ impl MotionResult {
         let feet = self.feet();
         let options = correction_options(request, self.belt.clone(), self.standing_m_s());
         let (contacts, plates) = ((&self.states, feet.as_slice()), (measured, self.summary.weight_n));
-        let known =
-            (self.is_corrected, request.plates_delay.map_or(0.0, Signed::get), self.on_soles.as_slice());
+        let known = (self.is_corrected, request, self.on_soles.as_slice());
         Consistency::of(&self.opened.model, &self.recording, contacts, plates, &options, known)
     }
 }

@@ -3,13 +3,13 @@
 use osim_inspect::{
     ConsistencyRecord, CorrectedErrorRecord, JointMomentsRecord, ResidualRecord, RootResidualRecord,
 };
-use osim_model::messages::{Input, Phrase, Verb, phrase};
+use osim_model::messages::{Input, Phrase, Verb, phrase, readable};
 use osim_model::{DVec3, Model};
 use osim_motion::correct::{
     Correction, CorrectionError, CorrectionFigures, CorrectionOptions, FootErrors, ForceErrors,
     InverseDynamics, Mismatch, MotionVerdict, RootResidual, correct, mismatches,
 };
-use osim_motion::{Belt, ContactStates, Foot, MeasuredForces, PressureOnSole, Recording};
+use osim_motion::{Belt, ContactStates, Foot, MeasuredForces, PressureOnSole, Recording, gaps};
 use osim_requests::{MotionRequest, Signed};
 
 /// Something that a reader should know about a motion.
@@ -54,7 +54,7 @@ pub(crate) fn correction_options(
 }
 
 impl Consistency {
-    /// Corrects a motion and judges the correction. `was_corrected` says that it was corrected before.
+    /// Corrects a motion as the `request` says, and judges the correction. `was_corrected` says that it was corrected before.
     ///
     /// # Errors
     /// Why nothing can be judged.
@@ -64,11 +64,22 @@ impl Consistency {
         (states, feet): (&ContactStates, &[Foot]),
         (measured, weight_n): (&MeasuredForces, f64),
         options: &CorrectionOptions,
-        (was_corrected, given_delay_s, soles): (bool, f64, &[Option<PressureOnSole>]),
+        (was_corrected, request, soles): (bool, &MotionRequest, &[Option<PressureOnSole>]),
     ) -> Result<Self, String> {
-        let common = measured.total.iter().flatten().count();
+        let given_delay_s = request.plates_delay.map_or(0.0, Signed::get);
+        let (common, frames) = (measured.frames_with_data(), recording.frames());
+        if frames < LEAST_FRAMES_IN_COMMON {
+            return Err(format!(
+                "the motion has {frames} rows, and a correction needs {LEAST_FRAMES_IN_COMMON} or more"
+            ));
+        }
+        if let Some(gap) = gaps(&recording.time_s).iter().find(|gap| gap.length_s() > LONGEST_GAP_S) {
+            let (from, to) = (readable(gap.from_s), readable(gap.to_s));
+            return Err(format!(
+                "the motion has no rows from {from} to {to} s: correct the part before or after"
+            ));
+        }
         if common < LEAST_FRAMES_IN_COMMON {
-            let frames = recording.frames();
             return Err(format!(
                 "plates and motion have only {common} of {frames} frames in common: have their times the same unit and start?"
             ));
@@ -99,7 +110,8 @@ impl Consistency {
             remarks.push(MotionRemark { code: "locked-toes", message: text.into() });
         }
         // Smoothing does not help what is no goal.
-        let horizontal = horizontal_error(&correction.figures).filter(|_| !options.vertical_only);
+        let horizontal = horizontal_error(&correction.figures, request.low_pass.is_some())
+            .filter(|_| !options.vertical_only);
         remarks.splice(0..0, horizontal.map(|message| MotionRemark { code: "horizontal-error", message }));
         let figures = figures_in_words(&correction, soles);
         remarks.extend(figures.map(|text| MotionRemark { code: "consistency", message: text.into() }));
@@ -162,6 +174,8 @@ fn left_minus_right_m(figures: &CorrectionFigures) -> Option<f64> {
 
 /// With fewer frames in common, plates and motion cannot be compared.
 const LEAST_FRAMES_IN_COMMON: usize = 10;
+/// In a longer time without rows, s, the motion is not known well enough to be corrected.
+const LONGEST_GAP_S: f64 = 0.1;
 
 /// Said of a motion that was corrected before.
 pub(crate) const CORRECTED_ALREADY: &str =
@@ -260,16 +274,24 @@ fn verdict_in_words(
     }
 }
 
-/// A remark if horizontal forces are further from the plates than without any contact.
-pub(crate) fn horizontal_error(figures: &CorrectionFigures) -> Option<Phrase> {
+/// A remark if horizontal forces under a foot are further from the plates than without any contact.
+pub(crate) fn horizontal_error(figures: &CorrectionFigures, is_smoothed: bool) -> Option<Phrase> {
+    let worse_bw = |foot: &&FootErrors| foot.after.horizontal_bw - foot.null.horizontal_bw;
     // Less than a thousandth is nothing.
-    let worse = |foot: &&FootErrors| foot.after.horizontal_bw > foot.null.horizontal_bw + 1e-3;
-    let foot = figures.feet.iter().find(worse)?;
-    Some(phrase![
-        "{}: its horizontal force is further from the plates ({} body weights) than if nothing touched ({}): smooth the motion, as with {}";
-        foot.foot.clone(), two_digits(foot.after.horizontal_bw), two_digits(foot.null.horizontal_bw),
-        Verb::Motion.call_with_model().with_value(Input::LowPass, "10")
-    ])
+    let is_worse = |foot: &&FootErrors| foot.stance_s > 0.0 && worse_bw(foot) > 1e-3;
+    let feet = figures.feet.iter().filter(is_worse);
+    let foot = feet.max_by(|a, b| worse_bw(a).total_cmp(&worse_bw(b)))?;
+    let [after, null] = [foot.after, foot.null].map(|errors| format!("{:.3}", errors.horizontal_bw));
+    let mut text = Phrase::from(format!(
+        "{}: its horizontal force is further from the plates ({after} body weights) than if nothing touched \
+         ({null})",
+        foot.foot
+    ));
+    if !is_smoothed {
+        let call = Verb::Motion.call_with_model().with_value(Input::LowPass, "10");
+        text.push(&phrase![": smooth the motion, as with ", call]);
+    }
+    Some(text)
 }
 
 /// The figures of a correction in sentences.

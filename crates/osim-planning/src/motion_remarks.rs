@@ -304,7 +304,7 @@ impl CheckedMotion {
             Err(RequestError::Fault(fault)) => Err(fault.phrase()),
         };
         let correction = judged.as_ref().ok().and_then(|judged| judged.correction.as_ref());
-        let horizontal = correction.and_then(|one| horizontal_error(&one.figures));
+        let horizontal = correction.and_then(|one| horizontal_error(&one.figures, false));
         let remark = horizontal.map(|text| Finding::new(&rules::HORIZONTAL_ERROR, text));
         let weight = weight.filter(|_| correction.is_some()).map(|text| text + "; ").unwrap_or_default();
         let record = judged.as_ref().ok().map(|judged| judged.record(judged.why.to_string()));

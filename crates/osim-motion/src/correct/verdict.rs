@@ -139,7 +139,7 @@ pub fn mismatches(
         }
     }
     // Without the force of each foot, the whole body's inertia explains nothing.
-    if found.is_empty() && measured.of_known_feet().len() == feet.len() {
+    if found.is_empty() && measured.of_loaded_feet().len() == feet.len() {
         let force_n: Vec<Option<DVec3>> =
             measured.total.iter().map(|wrench| Some(wrench.as_ref()?.force_n)).collect();
         let late_s = delay_s(&recording.time_s, &inertia_n, &force_n);
@@ -311,10 +311,10 @@ impl CorrectionFigures {
         self.feet.iter().map(figure).fold(0.0, f64::max)
     }
 
-    /// The first foot whose vertical force the corrected motion hardly explains better than a model that never touches.
+    /// The first foot on a plate whose vertical force the corrected motion hardly explains better than a model that never touches.
     pub fn unexplained_foot(&self) -> Option<&FootErrors> {
         let most_bw = |foot: &FootErrors| (MOST_SHARE_OF_NULL * foot.null.vertical_bw).max(SMALL_VERTICAL_BW);
-        self.feet.iter().find(|foot| foot.after.vertical_bw > most_bw(foot))
+        self.feet.iter().find(|foot| foot.stance_s > 0.0 && foot.after.vertical_bw > most_bw(foot))
     }
 
     /// Whether each foot is loaded long enough, or moves alike enough, to show that it is off by `apart_m`.
@@ -449,6 +449,8 @@ mod tests {
         let kilograms = figures(0.07, 0.07, 0.03, whole);
         assert_eq!(verdict(&kilograms), MotionVerdict::LargeCorrection);
         assert!(kilograms.unexplained_foot().is_some());
+        // Nothing carries a foot that is on no plate.
+        assert_eq!(verdict(&figures(0.05, 0.0, 0.0, (0.0, 0.0))), MotionVerdict::Agree);
         assert_eq!(verdict(&figures(0.03, 0.7, 0.018, whole)), MotionVerdict::Disagree);
         assert_eq!(verdict(&figures(0.03, 0.7, 0.018, (0.2, 0.007))), MotionVerdict::Agree);
         assert_eq!(verdict(&figures(0.03, 0.7, 0.03, (0.1, 0.001))), MotionVerdict::Disagree);
