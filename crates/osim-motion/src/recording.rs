@@ -352,7 +352,7 @@ fn angle_unit(
 fn splined(time_s: &[f64], values: &[f64], order: usize, label: &str) -> Result<Vec<f64>, MotionFault> {
     if time_s.len() < LEAST_ROWS {
         return Err(MotionFault::new(format!(
-            "it has {} rows: speeds follow from a spline through at least {LEAST_ROWS}, or from columns such as /jointset/{label}/speed",
+            "its rows are {}: speeds follow from a spline through at least {LEAST_ROWS}, or from columns such as /jointset/{label}/speed",
             time_s.len()
         )));
     }

@@ -43,9 +43,6 @@ impl MotionResult {
     /// All remarks: a sentence for each foot, then remarks about the files and the model.
     pub fn remarks(&self, request: &MotionRequest) -> Vec<MotionRemark> {
         let mut remarks = RemarkList::default();
-        if let Some(message) = weight_mismatch(&self.summary, self.mass_kg, self.gravity_m_s2) {
-            remarks.add("subject-weight", message);
-        }
         if let (None, Some(measured)) = (&self.consistency, &self.measured) {
             let (feet, weight_n) = (self.feet(), self.summary.weight_n);
             let contacts = (&self.states, feet.as_slice());
@@ -54,17 +51,20 @@ impl MotionResult {
                 remarks.add("disagree", cause_in_words(cause, &feet, 0.0));
             }
         }
+        // What prevents a comparison is also why weights and centres of pressure differ.
+        let judged = self.consistency.as_ref();
+        let is_comparable = remarks.0.is_empty() && judged.is_none_or(|one| one.correction.is_some());
+        let weight = weight_mismatch(&self.summary, self.mass_kg, self.gravity_m_s2);
+        weight.filter(|_| is_comparable).into_iter().for_each(|text| remarks.add("subject-weight", text));
         remarks.0.extend(self.consistency.iter().flat_map(|one| one.remarks.clone()));
         for foot in &self.summary.feet {
             remarks.add("foot", self.foot_sentence(foot));
         }
-        for (foot, on_sole) in self.summary.feet.iter().zip(&self.on_soles) {
+        for (foot, on_sole) in self.summary.feet.iter().zip(&self.on_soles).filter(|_| is_comparable) {
             let apart_m = on_sole.as_ref().and_then(PressureOnSole::mean_difference_m);
-            if let Some(message) =
-                apart_m.and_then(|[ahead_m, _]| displaced_centre_of_pressure(&foot.foot.name, ahead_m))
-            {
-                remarks.add("centre-of-pressure", message);
-            }
+            let name = self.name_of(foot);
+            let text = apart_m.and_then(|[ahead_m, _]| displaced_centre_of_pressure(&name, ahead_m));
+            text.into_iter().for_each(|text| remarks.add("centre-of-pressure", text));
         }
         let (selection, masses) = (request.choice.selection(), request.masses.request());
         for message in describe_unmatched_patterns(&selection, &masses, &self.opened.model) {
@@ -75,11 +75,15 @@ impl MotionResult {
         remarks.0
     }
 
+    /// The name of a foot; with a correction, the sentences before are about the corrected motion.
+    fn name_of(&self, foot: &FootSummary) -> String {
+        let when = if self.correction().is_some() { ", uncorrected" } else { "" };
+        format!("{}{when}", foot.foot.name)
+    }
+
     /// A sentence about the contacts of one foot.
     fn foot_sentence(&self, foot: &FootSummary) -> Phrase {
-        // With a correction, the sentences before are about the corrected motion.
-        let when = if self.correction().is_some() { ", uncorrected" } else { "" };
-        let name = format!("{}{when}", foot.foot.name);
+        let name = self.name_of(foot);
         let bw = |force_n: f64| two_digits(force_n / self.summary.weight_n);
         let deepest = two_digits(1e3 * foot.deepest_m.abs());
         if foot.deepest_m >= 0.0 && foot.peak_n <= 0.0 {
@@ -230,7 +234,7 @@ impl RemarkList {
     fn add_repeated_rows(&mut self, file: &str, lines: &[usize]) {
         let Some(first) = lines.first() else { return };
         let (file, rows) = (shown(file), counted(lines.len(), "row"));
-        let text = format!("{file}: {rows} left out that repeat the row before (first: line {first})");
+        let text = format!("{file}: {rows} left out, equal to the row before (first: line {first})");
         self.add("repeated-rows", text);
     }
 }
@@ -242,13 +246,9 @@ pub(crate) fn weight_mismatch(summary: &Summary, mass_kg: f64, gravity_m_s2: f64
     let (part_said, model, subject) =
         (two_digits(part), readable(mass_kg), four_significant(mean_n / gravity_m_s2));
     let text = format!("over whole strides the plates measured {part_said} of the model's weight:");
-    let text = match part > LEAST_WEIGHT {
-        true => format!(
-            "{text} the model weighs {model} kg, and the subject {subject} kg, unless a plate is missing"
-        ),
-        false => format!("{text} are their forces in newtons, and do they point up?"),
-    };
-    ((part - 1.0).abs() > WEIGHT_TOLERANCE).then_some(text)
+    let text =
+        format!("{text} the model weighs {model} kg, and the subject {subject} kg, unless a plate is missing");
+    (part > LEAST_WEIGHT && (part - 1.0).abs() > WEIGHT_TOLERANCE).then_some(text)
 }
 
 /// A remark if the model's centre of pressure is nearer to the toes, or to the heel, than the centre of pressure of the plates.
