@@ -172,7 +172,7 @@ impl FaultKind {
                 ];
                 if let Some(pattern) = others {
                     text.push(", or leave them out with ");
-                    text.push(Input::ReferenceSelect.with_value(format!("\"{pattern}\"")));
+                    text.push(Input::ReferenceSelect.with_value(*pattern));
                 }
                 text
             }
