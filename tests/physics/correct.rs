@@ -6,15 +6,16 @@ use serde_json::Value;
 use crate::support::{TestDir, corpus_folder};
 use crate::{json_object, number};
 
-const WALK: [&str; 4] = ["2D_gait.osim", "referenceCoordinates.sto", "referenceGRF.sto", "referenceGRF.xml"];
-const WALK_CALL: &str =
+pub(crate) const WALK: [&str; 4] =
+    ["2D_gait.osim", "referenceCoordinates.sto", "referenceGRF.sto", "referenceGRF.xml"];
+pub(crate) const WALK_CALL: &str =
     "motion 2D_gait.osim referenceCoordinates.sto --plates referenceGRF.sto --loads referenceGRF.xml";
 const SUBJECT: [&str; 4] =
     ["subject01.osim", "subject01_walk1_ik.mot", "subject01_walk1_grf.mot", "subject01_walk1_grf.xml"];
 const SUBJECT_CALL: &str = "motion feet.osim subject01_walk1_ik.mot --plates subject01_walk1_grf.mot --loads subject01_walk1_grf.xml";
 
 /// A folder with the files of a public trial; `None` after reporting that the test is skipped.
-fn trial(test: &str, folder: &str, files: [&str; 4]) -> Option<TestDir> {
+pub(crate) fn trial(test: &str, folder: &str, files: [&str; 4]) -> Option<TestDir> {
     let place = corpus_folder(test)?.join("../trials").join(folder);
     let dir = TestDir::new();
     for file in files {
@@ -31,7 +32,7 @@ fn subject(test: &str, class: &str) -> Option<TestDir> {
 }
 
 /// Changes the values of a column whose name contains `column`; `change` takes the part of the time that has passed.
-fn change(dir: &TestDir, file: &str, column: &str, change: impl Fn(f64, f64) -> f64) {
+pub(crate) fn change(dir: &TestDir, file: &str, column: &str, change: impl Fn(f64, f64) -> f64) {
     let text = dir.text(file);
     let (head, table) = text.split_once("endheader").unwrap();
     let (names, rows) = table.trim_start().split_once('\n').unwrap();
@@ -49,7 +50,7 @@ fn change(dir: &TestDir, file: &str, column: &str, change: impl Fn(f64, f64) -> 
 }
 
 #[track_caller]
-fn consistency(dir: &TestDir, call: &str, options: &str) -> Value {
+pub(crate) fn consistency(dir: &TestDir, call: &str, options: &str) -> Value {
     let run = dir.run(&format!("{call} --correct corrected.sto {options} --force --format json"));
     json_object(&run.succeeded())["consistency"].clone()
 }

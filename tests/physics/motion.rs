@@ -1,6 +1,7 @@
 //! `motion`: contact forces along a recorded motion. Expected numbers are computed by hand; `tests/oracle/test_motion.py` compares
 //! with OpenSim.
 
+use crate::correct::{WALK, WALK_CALL, change, consistency, trial};
 use crate::support::{TestDir, fixture};
 use crate::{assert_close, json_object};
 
@@ -282,6 +283,17 @@ fn plates_that_are_late_are_shifted() {
         (feet("plates.sto"), feet("late.sto"), feet("late.sto --plates-delay 0.0625"));
     assert_close(rms_n(&shifted), rms_n(&right), 1e-9, "shifted");
     assert!((rms_n(&late) / rms_n(&right) - 1.0).abs() > 1e-3, "{late}");
+}
+
+/// The root of a planar model follows the belt, and sideways forces of the plates do not move it: at 1.2 m/s for 0.47 s.
+#[test]
+fn a_planar_model_walks_on_a_treadmill() {
+    let Some(dir) = trial("a planar model", "example2DWalking", WALK) else { return };
+    change(&dir, "referenceCoordinates.sto", "pelvis_tx/value", |value, part| value - 0.564 * part);
+    change(&dir, "referenceGRF.sto", "ground_force_r_vz", |_, _| 100.0);
+    let found = consistency(&dir, WALK_CALL, "");
+    let belt_m_s = [0, 2].map(|axis| found["belt_m_per_s"][axis].as_f64().unwrap());
+    assert!((belt_m_s[0] + 1.2).abs() < 0.01 && belt_m_s[1].abs() < 1e-9, "{found}");
 }
 
 /// A step beside the plates (7.6 body weights in the model, no force in the plates) does not count as an error of the contacts.

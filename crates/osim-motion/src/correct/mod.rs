@@ -177,6 +177,10 @@ pub fn correct(
         None => Belt::default(),
     };
     let searches_belt = options.belt.is_none() && moves && !options.vertical_only;
+    // The root of a planar model follows a belt in one direction only; one that follows in none is an error below.
+    let follows =
+        level.map(|direction| found.level.iter().any(|(_, along)| along.dot(direction).abs() > 0.5));
+    let free_belt = follows.map(|follows_it| searches_belt && (follows_it || follows == [false; 2]));
     let time_s = unmoved.time_s.last().zip(unmoved.time_s.first()).map_or(1.0, |(end, start)| end - start);
     let frame_s = time_s / unmoved.frames() as f64;
     let knots_s = knot_distance_s(shortest_stance_s(&unmoved.time_s, &goals, weight_n), frame_s);
@@ -192,7 +196,7 @@ pub fn correct(
         level,
         weight_n,
         options: options.clone(),
-        free: [options.floor_up_m.is_none(), searches_belt, searches_belt, feet.len() == 2],
+        free: [options.floor_up_m.is_none(), free_belt[0], free_belt[1], feet.len() == 2],
     };
     let search = Search { model, couplers, original, states, feet, belt };
     let mut unknowns = vec![0.0; setting.coefficients() + CONSTANTS];
