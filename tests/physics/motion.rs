@@ -293,7 +293,7 @@ fn a_planar_model_walks_on_a_treadmill() {
     change(&dir, "referenceGRF.sto", "ground_force_r_vz", |_, _| 100.0);
     let found = consistency(&dir, WALK_CALL, "");
     let belt_m_s = [0, 2].map(|axis| found["belt_m_per_s"][axis].as_f64().unwrap());
-    assert!((belt_m_s[0] + 1.2).abs() < 0.01 && belt_m_s[1].abs() < 1e-9, "{found}");
+    assert!((belt_m_s[0] + 1.2).abs() < 0.01 && belt_m_s[1].abs() < 1e-6, "{found}");
 }
 
 /// A step beside the plates (7.6 body weights in the model, no force in the plates) does not count as an error of the contacts.

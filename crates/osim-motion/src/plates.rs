@@ -251,15 +251,17 @@ enum PlateQuantity {
     Moment,
 }
 
+/// How the names of the three columns of a vector end; OpenSim's reader of C3D files numbers them.
+const ENDS_OF_COLUMNS: [[&str; 3]; 3] = [["x", "y", "z"], ["X", "Y", "Z"], ["_1", "_2", "_3"]];
+
 /// The columns of all plates in a table of ground reactions.
 fn columns_of_plates(table: &Table) -> Vec<ColumnTriple<'_>> {
     let mut triples = Vec::new();
     for column in &table.columns {
-        let Some(stem) = column.name.strip_suffix(['x', 'X']) else { continue };
+        let named = ENDS_OF_COLUMNS.iter().find_map(|ends| Some((column.name.strip_suffix(ends[0])?, ends)));
+        let Some((stem, ends)) = named else { continue };
         let Some((quantity, plate)) = quantity_and_plate(stem) else { continue };
-        let [Some(y), Some(z)] = [["y", "Y"], ["z", "Z"]]
-            .map(|names| names.iter().find_map(|axis| table.column(&format!("{stem}{axis}"))))
-        else {
+        let [Some(y), Some(z)] = [ends[1], ends[2]].map(|end| table.column(&format!("{stem}{end}"))) else {
             continue;
         };
         triples.push(ColumnTriple { stem: stem.to_owned(), columns: [column, y, z], quantity, plate });
@@ -349,6 +351,16 @@ mod tests {
         let plate = Plate::from_columns(&parsed_table(&text)).unwrap().remove(0);
         let force_n = |time_s: f64| plate.at(time_s).map(|wrench| wrench.force_n[1].round());
         assert_eq!([0.04, 0.07, 0.1, 0.14].map(force_n), [Some(40.0), Some(70.0), None, Some(140.0)]);
+    }
+
+    #[test]
+    fn columns_of_a_c3d_file_are_numbered() {
+        let text = "endheader\ntime f1_1 f1_2 f1_3 p1_1 p1_2 p1_3 m1_1 m1_2 m1_3\n0 1 2 3 0.5 0 0 0 7 0\n";
+        let plates = Plate::from_columns(&parsed_table(text)).unwrap();
+        let wrench = plates[0].at(0.0).unwrap();
+        assert_eq!((plates.len(), wrench.force_n), (1, DVec3::new(1.0, 2.0, 3.0)));
+        // p x F + M
+        assert_eq!(wrench.moment_n_m, DVec3::new(0.0, -1.5 + 7.0, 1.0));
     }
 
     /// 100 N up at the centre (0.2, 0, 0) add 20 N m about z to the moment there.
