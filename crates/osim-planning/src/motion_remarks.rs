@@ -246,8 +246,8 @@ pub(crate) fn weight_mismatch(summary: &Summary, mass_kg: f64, gravity_m_s2: f64
     let (part_said, model, subject) =
         (two_digits(part), readable(mass_kg), four_significant(mean_n / gravity_m_s2));
     let text = format!("over whole strides the plates measured {part_said} of the model's weight:");
-    let text =
-        format!("{text} the model weighs {model} kg, and the subject {subject} kg, unless a plate is missing");
+    let missing = if part < 1.0 { ", unless a plate is missing" } else { "" };
+    let text = format!("{text} the model weighs {model} kg, and the subject {subject} kg{missing}");
     (part > LEAST_WEIGHT && (part - 1.0).abs() > WEIGHT_TOLERANCE).then_some(text)
 }
 
