@@ -12,7 +12,7 @@ pub(crate) const WALK_CALL: &str =
     "motion 2D_gait.osim referenceCoordinates.sto --plates referenceGRF.sto --loads referenceGRF.xml";
 const SUBJECT: [&str; 4] =
     ["subject01.osim", "subject01_walk1_ik.mot", "subject01_walk1_grf.mot", "subject01_walk1_grf.xml"];
-const SUBJECT_CALL: &str = "motion feet.osim subject01_walk1_ik.mot --plates subject01_walk1_grf.mot --loads subject01_walk1_grf.xml";
+pub(crate) const SUBJECT_CALL: &str = "motion feet.osim subject01_walk1_ik.mot --plates subject01_walk1_grf.mot --loads subject01_walk1_grf.xml";
 
 /// A folder with the files of a public trial; `None` after reporting that the test is skipped.
 pub(crate) fn trial(test: &str, folder: &str, files: [&str; 4]) -> Option<TestDir> {
@@ -25,7 +25,7 @@ pub(crate) fn trial(test: &str, folder: &str, files: [&str; 4]) -> Option<TestDi
 }
 
 /// Subject 1 with published contacts of this class.
-fn subject(test: &str, class: &str) -> Option<TestDir> {
+pub(crate) fn subject(test: &str, class: &str) -> Option<TestDir> {
     let dir = trial(test, "subject01_walk_id", SUBJECT)?;
     dir.run(&format!("add subject01.osim --from falisse2022 --class {class} -o feet.osim")).succeeded();
     Some(dir)

@@ -1,7 +1,7 @@
 //! `motion`: contact forces along a recorded motion. Expected numbers are computed by hand; `tests/oracle/test_motion.py` compares
 //! with OpenSim.
 
-use crate::correct::{WALK, WALK_CALL, change, consistency, trial};
+use crate::correct::{SUBJECT_CALL, WALK, WALK_CALL, change, consistency, subject, trial};
 use crate::support::{TestDir, fixture};
 use crate::{assert_close, json_object};
 
@@ -283,6 +283,19 @@ fn plates_that_are_late_are_shifted() {
         (feet("plates.sto"), feet("late.sto"), feet("late.sto --plates-delay 0.0625"));
     assert_close(rms_n(&shifted), rms_n(&right), 1e-9, "shifted");
     assert!((rms_n(&late) / rms_n(&right) - 1.0).abs() > 1e-3, "{late}");
+}
+
+/// Knees of the other sign, as another model has them, are named; right ones are not.
+#[test]
+fn angles_outside_their_ranges_are_named() {
+    let Some(dir) = subject("knees of another sign", "smooth") else { return };
+    let json = format!("{SUBJECT_CALL} --format json");
+    dir.run(&json).succeeded().says_not(&["outside the range"]);
+    change(&dir, "subject01_walk1_ik.mot", "knee_angle", |value, _| -value);
+    let names = "knee_angle_r, knee_angle_l";
+    let why = consistency(&dir, SUBJECT_CALL, "")["why"].to_string();
+    assert!(why.contains(&format!("{names} leave their ranges")), "{why}");
+    dir.run(&json).says(&[&format!("{names}: outside the range in most frames")]);
 }
 
 /// The root of a planar model follows the belt, and sideways forces of the plates do not move it: at 1.2 m/s for 0.47 s.

@@ -26,6 +26,8 @@ pub struct ModelCoordinate {
     pub kind: CoordinateKind,
     /// Value of the coordinate in the default pose.
     pub(crate) default: Option<f64>,
+    /// The least and the largest value that the model wants.
+    pub(crate) range: Option<[f64; 2]>,
     pub(crate) locked: bool,
     /// The function of time that prescribes the coordinate, if there is one; the inner `None` means a function that this
     /// program cannot read.
@@ -42,6 +44,7 @@ pub(crate) fn model_coordinates(model: &Model, joints: &[ModelJoint]) -> Vec<Mod
                 joint: joint.name.clone(),
                 kind: coordinate_kind(model, joint, index),
                 default: coordinate.default,
+                range: coordinate.range,
                 locked: matches!(model.file(joint.file).flag(coordinate.element, "locked"), Ok(Some(true))),
                 prescribed: prescribed_function(model.file(joint.file), coordinate.element),
             });

@@ -17,6 +17,9 @@ const MOST_COUPLER_PASSES: usize = 8;
 /// Largest angle, rad, that is plausible in radians; if a file has larger angles, its unit is in doubt.
 const LARGEST_PLAUSIBLE_ANGLE_RAD: f64 = std::f64::consts::TAU;
 
+/// An angle is far outside its range by more than this, rad: right motions are not, in most frames.
+const FAR_OUTSIDE_RAD: f64 = 0.0873;
+
 /// The options with which a motion file is read.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct RecordingOptions {
@@ -53,6 +56,8 @@ pub struct RecordingFacts {
     pub unused: Vec<String>,
     /// Coordinates without a column: they have their default value, or the value of the function that prescribes them.
     pub kept: Vec<String>,
+    /// Angles that are far outside the range of their coordinate in most frames.
+    pub outside: Vec<String>,
     /// Coordinates that a coupler computes from other coordinates.
     pub coupled: Vec<String>,
     /// Whether the table has the speed of every coordinate whose value it has.
@@ -87,6 +92,7 @@ impl Recording {
                 declared: options.angles.or(table.declared).is_some(),
                 unused,
                 kept: Vec::new(),
+                outside: Vec::new(),
                 coupled: Vec::new(),
                 speeds_given: are_given(&columns),
                 unenforced: Vec::new(),
@@ -108,7 +114,22 @@ impl Recording {
             start = end;
         }
         recording.apply_couplers(&Couplers::of(model))?;
+        recording.facts.outside = recording.outside_ranges();
         Ok(recording)
+    }
+
+    /// The names of measured angles that are far outside the range of their coordinate in most frames.
+    fn outside_ranges(&self) -> Vec<String> {
+        let is_outside = |(index, coordinate): &(usize, &ModelCoordinate)| {
+            let is_angle = coordinate.kind == CoordinateKind::Rotational;
+            let is_measured = is_angle && !self.facts.kept.contains(&coordinate.name);
+            let Some([least, most]) = coordinate.range.filter(|_| is_measured) else { return false };
+            let usual = least - FAR_OUTSIDE_RAD..=most + FAR_OUTSIDE_RAD;
+            let outside = (0..self.frames()).filter(|frame| !usual.contains(&self.values(*frame)[*index]));
+            2 * outside.count() > self.frames()
+        };
+        let outside = self.coordinates.iter().enumerate().filter(is_outside);
+        outside.map(|(_, coordinate)| coordinate.name.clone()).collect()
     }
 
     /// The number of frames.

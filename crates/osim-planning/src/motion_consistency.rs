@@ -3,7 +3,7 @@
 use osim_inspect::{
     ConsistencyRecord, CorrectedErrorRecord, JointMomentsRecord, ResidualRecord, RootResidualRecord,
 };
-use osim_model::messages::{Input, Phrase, Verb, phrase, readable};
+use osim_model::messages::{Input, Phrase, Verb, listed, phrase, readable};
 use osim_model::{DVec3, Model};
 use osim_motion::correct::{
     Correction, CorrectionError, CorrectionFigures, CorrectionOptions, FootErrors, ForceErrors,
@@ -250,7 +250,9 @@ fn verdict_in_words(
     let moves = format!("{moves}; the floor is {floor} {side} than in the model");
     let left = two_digits(figures.largest_of_feet(|foot| foot.after.vertical_bw));
     let large = "contacts and plates agree after a large correction only, as in half of all recordings";
-    let unexplained = "contacts and plates do not agree after any correction, and no cause is seen";
+    let outside = listed(&correction.recording.facts.outside, 3);
+    let cause = if outside.is_empty() { "no cause is seen".into() } else { outside + " leave their ranges" };
+    let unexplained = format!("contacts and plates do not agree after any correction, and {cause}");
     match verdict {
         MotionVerdict::Agree => format!("contacts and plates agree: {moves}").into(),
         MotionVerdict::LargeCorrection => match figures.unexplained_foot() {

@@ -135,6 +135,11 @@ impl MotionResult {
             let text = format!("the motion has no column for {kept}: kept at the default of the model");
             remarks.add("kept-coordinates", text);
         }
+        if !facts.outside.is_empty() {
+            let text = format!("{}: outside the range in most frames;", names(&facts.outside));
+            let text = text + " are the motion's signs and units those of this model?";
+            remarks.add("outside-range", text);
+        }
         if !facts.unused.is_empty() {
             let text = format!("columns that belong to no coordinate of the model: {}", names(&facts.unused));
             remarks.add("unused-columns", text);
