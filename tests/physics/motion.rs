@@ -285,6 +285,21 @@ fn plates_that_are_late_are_shifted() {
     assert!((rms_n(&late) / rms_n(&right) - 1.0).abs() > 1e-3, "{late}");
 }
 
+/// Fore-aft or sideways forces of the other sign are opposite to what the motion of the body needs.
+#[test]
+fn a_direction_of_the_plates_with_the_wrong_sign_is_named() {
+    let Some(dir) = subject("a wrong sign in one direction", "smooth") else { return };
+    let file = "subject01_walk1_grf.mot";
+    let plates = dir.text(file);
+    for axis in ["x", "z"] {
+        dir.write(file, &plates);
+        change(&dir, file, &format!("force_v{axis}"), |value, _| -value);
+        let run = dir.run(&format!("{SUBJECT_CALL} --correct c.sto --format json")).wrote_nothing();
+        assert_eq!(run.status, Some(1), "{axis}");
+        run.says(&[&format!("forces along {axis} are opposite to the whole body's acceleration")]);
+    }
+}
+
 /// Knees of the other sign, as another model has them, are named; right ones are not.
 #[test]
 fn angles_outside_their_ranges_are_named() {

@@ -203,6 +203,12 @@ pub(crate) fn cause_in_words(cause: &Mismatch, feet: &[Foot], given_delay_s: f64
         Mismatch::Axes => {
             "the plates' forces lie along the floor: their axes are not those of the model".to_owned()
         }
+        Mismatch::Reversed { along } => {
+            let axis = ["x", "y", "z"][along.abs().max_position()];
+            let text =
+                format!("the plates' forces along {axis} are opposite to the whole body's acceleration");
+            text + ": their sign has to change"
+        }
         Mismatch::ForceUnit { mean_bw, unit } => {
             let mean = two_digits(mean_bw);
             format!("the plates measure {mean} body weights under load: are their forces in {unit}?")

@@ -7,6 +7,7 @@
 
 mod dynamics;
 mod figures;
+mod inertia;
 mod residuals;
 mod solve;
 mod unknowns;
@@ -20,10 +21,10 @@ use crate::{
     StatesError, TOUCH_DOWN_BW, Wrench,
 };
 use dynamics::Masses;
+use inertia::inertia_n;
 use residuals::{CorrectionInputs, FootGoals, FootSlopes, PlateGoal, Stage, StageProblem, minimise};
 use solve::CONSTANTS;
 use unknowns::{SplineBasis, find_coordinates, knot_distance_s};
-use verdict::inertia_n;
 
 pub use dynamics::{InverseDynamics, RootResidual};
 pub use figures::{CorrectionFigures, FootErrors, ForceErrors};
