@@ -285,6 +285,16 @@ fn plates_that_are_late_are_shifted() {
     assert!((rms_n(&late) / rms_n(&right) - 1.0).abs() > 1e-3, "{late}");
 }
 
+/// Plates whose origin lies 150 mm beside that of the motion.
+#[test]
+fn another_origin_of_the_plates_is_said() {
+    let Some(dir) = subject("another origin", "smooth") else { return };
+    let why = || consistency(&dir, SUBJECT_CALL, "")["why"].to_string();
+    assert!(!why().contains("centres of pressure"), "{}", why());
+    change(&dir, "subject01_walk1_grf.mot", "_pz", |value, _| value + 0.15);
+    assert!(why().contains("mm apart: have plates and motion the same origin and time?"), "{}", why());
+}
+
 /// Fore-aft or sideways forces of the other sign are opposite to what the motion of the body needs.
 #[test]
 fn a_direction_of_the_plates_with_the_wrong_sign_is_named() {

@@ -137,7 +137,7 @@ impl Consistency {
             why,
             vertical_rms_bw: errors(|errors| errors.vertical_bw),
             horizontal_rms_bw: errors(|errors| errors.horizontal_bw),
-            cop_rms_m: feet().filter_map(|foot| foot.cop_rms_m).reduce(f64::max),
+            cop_rms_m: figures.and_then(CorrectionFigures::cop_rms_m),
             floor_up_m: correction.map(|one| one.floor_up_m),
             belt_m_per_s: correction.map(|one| one.belt_m_s.into()),
             lift_rms_m: figures.map(|figures| figures.lift_rms_m),
@@ -174,6 +174,8 @@ fn left_minus_right_m(figures: &CorrectionFigures) -> Option<f64> {
 
 /// With fewer frames in common, plates and motion cannot be compared.
 const LEAST_FRAMES_IN_COMMON: usize = 10;
+/// Right recordings have centres of pressure within 50 mm after a correction; farther ones are said, m.
+const FAR_PRESSURE_M: f64 = 0.1;
 /// In a longer time without rows, s, the motion is not known well enough to be corrected.
 const LONGEST_GAP_S: f64 = 0.1;
 
@@ -257,8 +259,17 @@ fn verdict_in_words(
     let left = two_digits(figures.largest_of_feet(|foot| foot.after.vertical_bw));
     let large = "contacts and plates agree after a large correction only, as in half of all recordings";
     let outside = listed(&correction.recording.facts.outside, 3);
-    let cause = if outside.is_empty() { "no cause is seen".into() } else { outside + " leave their ranges" };
-    let unexplained = format!("contacts and plates do not agree after any correction, and {cause}");
+    let far = figures.cop_rms_m().filter(|apart_m| *apart_m > FAR_PRESSURE_M).map(millimetres);
+    let far = far.map(|apart| {
+        format!("; centres of pressure stay {apart} apart: have plates and motion the same origin and time?")
+    });
+    let cause = match outside.as_str() {
+        "" if far.is_some() => String::new(),
+        "" => ", and no cause is seen".to_owned(),
+        names => format!(", and {names} leave their ranges"),
+    };
+    let unexplained = format!("contacts and plates do not agree after any correction{cause}");
+    let far = far.unwrap_or_default();
     match verdict {
         MotionVerdict::Agree => format!("contacts and plates agree: {moves}").into(),
         MotionVerdict::LargeCorrection => match figures.unexplained_foot() {
@@ -267,9 +278,11 @@ fn verdict_in_words(
                 let off = format!(
                     "the {foot}'s vertical force is off by {after} body weights ({null} if nothing touched)"
                 );
-                format!("{unexplained}: {off}; {moves}").into()
+                format!("{unexplained}: {off}; {moves}{far}").into()
             }
-            None => format!("{large}: {moves}; the vertical force is off by {left} body weights").into(),
+            None => {
+                format!("{large}: {moves}; the vertical force is off by {left} body weights{far}").into()
+            }
         },
         MotionVerdict::Disagree => {
             let mut text = Phrase::from("contacts and plates do not agree: ");
@@ -312,8 +325,7 @@ fn figures_in_words(correction: &Correction, soles: &[Option<PressureOnSole>]) -
         let (after, before) = (worst(|foot| &foot.after), worst(|foot| &foot.before));
         format!("{after} ({before} before; {} if nothing touched)", worst(|foot| &foot.null))
     };
-    let centre_m = figures.feet.iter().filter_map(|foot| foot.cop_rms_m).reduce(f64::max);
-    let centre = centre_m.map(|rms_m| format!("; centre of pressure {}", millimetres(rms_m)));
+    let centre = figures.cop_rms_m().map(|rms_m| format!("; centre of pressure {}", millimetres(rms_m)));
     let (vertical, across) = (errors(|errors| errors.vertical_bw), errors(|errors| errors.horizontal_bw));
     let force = format!("vertical {vertical}, horizontal {across}{}", centre.unwrap_or_default());
     let apart = millimetres(figures.difference_of_feet_m().unwrap_or(0.0));

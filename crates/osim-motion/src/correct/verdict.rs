@@ -216,6 +216,11 @@ impl CorrectionFigures {
         }
     }
 
+    /// The largest distance of centres of pressure of a foot, m; `None` if they are not known.
+    pub fn cop_rms_m(&self) -> Option<f64> {
+        self.feet.iter().filter_map(|foot| foot.cop_rms_m).reduce(f64::max)
+    }
+
     /// The largest of a figure of all feet.
     pub fn largest_of_feet(&self, figure: impl Fn(&FootErrors) -> f64) -> f64 {
         self.feet.iter().map(figure).fold(0.0, f64::max)
