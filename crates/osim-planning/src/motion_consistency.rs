@@ -227,6 +227,11 @@ pub(crate) fn cause_in_words(cause: &Mismatch, feet: &[Foot], given_delay_s: f64
                 "the {foot}'s force lies {own} from it and {away} from the {other}: are the feet swapped?"
             )
         }
+        Mismatch::SharedPlate { foot, time_s } => {
+            let (foot, time) = (name(foot), two_digits(time_s));
+            let text = format!("for {time} s the force of the {foot} lies midway between it and another");
+            text + " foot: each foot needs a plate of its own"
+        }
         Mismatch::Delay { late_s } => {
             let (ms, when) = (1e3 * late_s.abs(), if late_s > 0.0 { "later" } else { "earlier" });
             let text =
