@@ -371,16 +371,17 @@ fn median_slip_m_s(states: &[&ContactState]) -> Option<DVec3> {
 
 /// The mean of `values` over all frames in `spans`, weighted with time; a span with unknown values does not count.
 fn mean_over(time_s: &[f64], values: &[Option<f64>], spans: &[(f64, f64)]) -> Option<f64> {
-    let (mut sum, mut count) = (0.0, 0.0);
+    let (mut sum, mut all_s) = (0.0, 0.0);
     for &span in spans {
-        let in_span = values.get(frames_between(time_s, span)).unwrap_or_default();
-        let known: Option<Vec<f64>> = in_span.iter().copied().collect();
-        for value in known.into_iter().flatten() {
-            sum += value;
-            count += 1.0;
+        let frames = frames_between(time_s, span);
+        let known: Option<Vec<f64>> = frames.clone().map(|frame| *values.get(frame)?).collect();
+        for (frame, value) in frames.zip(known.into_iter().flatten()) {
+            let step_s = time_s.get(frame + 1).map_or(0.0, |next| next - time_s[frame]);
+            sum += step_s * value;
+            all_s += step_s;
         }
     }
-    (count > 0.0).then(|| sum / count)
+    (all_s > 0.0).then(|| sum / all_s)
 }
 
 #[cfg(test)]
@@ -398,5 +399,8 @@ mod tests {
         let times = [0.0, 1.0, 2.0, 3.0];
         assert_eq!(mean_over(&times, &[Some(1.0), Some(3.0), Some(9.0), None], &[(0.0, 2.0)]), Some(2.0));
         assert_eq!(mean_over(&times, &[Some(1.0), None, Some(9.0), None], &[(0.0, 2.0)]), None);
+        // A frame lasts until the next, here 2 s.
+        let values = [Some(1.0), Some(4.0), Some(9.0)];
+        assert_eq!(mean_over(&[0.0, 1.0, 3.0], &values, &[(0.0, 3.0)]), Some(3.0));
     }
 }
