@@ -138,7 +138,7 @@ impl MeasuredForces {
         let loads = feet.iter().zip(&self.feet).map(|(foot, plates)| loads_of_foot(states, foot, plates));
         let loads: Vec<Vec<LoadOfFoot<'_>>> = loads.collect();
         for (index, foot) in feet.iter().enumerate() {
-            let beside = frames_beside_plates(states, foot, (&loads, index), &total, weight_n);
+            let beside = frames_beside_plates(states, foot, (loads.as_slice(), index), &total, weight_n);
             for frame in (0..beside.len()).filter(|&frame| beside[frame]) {
                 (self.feet[index][frame], self.total[frame]) = (None, None);
                 self.beside[index] += 1;

@@ -4,6 +4,7 @@ use butterworth::{Cutoff, Filter};
 use gcv_spline::GcvSpline;
 use osim_model::Model;
 use osim_model::feet::{Coupler, Couplers};
+use osim_model::messages::counted;
 
 use crate::coordinates::{
     CoordinateColumns, CoordinateKind, ModelCoordinate, columns_by_coordinate, model_coordinates,
@@ -373,8 +374,8 @@ fn angle_unit(
 fn splined(time_s: &[f64], values: &[f64], order: usize, label: &str) -> Result<Vec<f64>, MotionFault> {
     if time_s.len() < LEAST_ROWS {
         return Err(MotionFault::new(format!(
-            "its rows are {}: speeds follow from a spline through at least {LEAST_ROWS}, or from columns such as /jointset/{label}/speed",
-            time_s.len()
+            "it has {}: speeds follow from a spline through at least {LEAST_ROWS}, or from columns such as /jointset/{label}/speed",
+            counted(time_s.len(), "row")
         )));
     }
     // Woltring's spline takes vectors.

@@ -87,8 +87,7 @@ impl Table {
         let mean = (last - first) / self.rows().checked_sub(1).filter(|&steps| steps > 0)? as f64;
         let is_even = |pair: &[f64]| matches!(pair, [a, b] if ((b - a) - mean).abs() <= 0.01 * mean);
         let rounded_s = (0.125 * mean).min(1e-3);
-        let is_rounded =
-            |(row, time): (usize, &f64)| (time - first - row as f64 * mean).abs() <= rounded_s;
+        let is_rounded = |(row, time): (usize, &f64)| (time - first - row as f64 * mean).abs() <= rounded_s;
         let is_even = self.time_s.windows(2).all(is_even) || self.time_s.iter().enumerate().all(is_rounded);
         is_even.then_some(mean)
     }
