@@ -493,7 +493,7 @@ fn folders_for_moco_and_nmsm_are_written() {
     // All files or none.
     dir.write("moco/plates.xml", "mine");
     std::fs::remove_file(dir.path("corrected.sto")).unwrap();
-    dir.run(&format!("{call} --correct corrected.sto --moco moco")).says(&["exists", "--force"]);
+    dir.run(&format!("{call} --correct corrected.sto --moco moco")).says(&["name with --moco", "--force"]);
     assert!(dir.text("moco/plates.xml") == "mine" && !dir.has("corrected.sto"));
     dir.run(&format!("{call} --moco other")).usage_error().says(&["--correct"]);
 }

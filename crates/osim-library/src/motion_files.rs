@@ -73,6 +73,14 @@ impl MotionFiles {
         let (moco, nmsm) = (in_folder(&request.moco, &MOCO_FILES), in_folder(&request.nmsm, &NMSM_FILES));
         moco.iter().try_for_each(|path| conflicts.add_output(path, "the folder for Moco"))?;
         nmsm.iter().try_for_each(|path| conflicts.add_output(path, "the folder for NMSM"))?;
+        let named = paths.iter().zip([Input::Output, Input::Output, Input::Correct]);
+        let named = named.filter_map(|(path, option)| Some((path.as_ref()?, option)));
+        let in_folders = moco.iter().map(|path| (path, Input::Moco));
+        let in_folders = in_folders.chain(nmsm.iter().map(|path| (path, Input::Nmsm)));
+        let mut existing = named.chain(in_folders).filter(|(path, _)| path.exists());
+        if let Some((path, option)) = existing.next().filter(|_| !request.force) {
+            return Err(LibraryFault::file_exists(path, option));
+        }
         let mode = if request.force { WriteMode::Replace } else { WriteMode::New };
         Ok(Self { paths, moco, nmsm, mode })
     }
