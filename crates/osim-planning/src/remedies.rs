@@ -122,7 +122,8 @@ impl RemedyTrials<'_> {
         Some((model, found))
     }
 
-    /// Whether the findings `its`, for which the remedy was proposed, are gone after the remedy, and no other warning is new.
+    /// Whether the findings `its`, for which the remedy was proposed, are gone after the remedy or about fewer elements, and no other warning
+    /// is new.
     fn is_effective(
         &self,
         its: &[&FindingWithRemedy],
@@ -132,7 +133,10 @@ impl RemedyTrials<'_> {
     ) -> bool {
         let (findings_after, findings_before) =
             (FindingIndex::new(&after.findings), FindingIndex::new(&before.findings));
-        let are_gone = its.iter().all(|one| findings_after.find_same(one).is_none());
+        let is_gone = |one: &&FindingWithRemedy| {
+            findings_after.find_same(one).is_none_or(|left| left.paths().count() < one.paths().count())
+        };
+        let are_gone = its.iter().all(is_gone);
         let makes_forces = matches!(request, Request::Convert(_));
         let has_new_warnings = warnings_and_errors(after)
             .filter(|one| {

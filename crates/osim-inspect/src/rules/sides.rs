@@ -92,7 +92,10 @@ pub(crate) fn with_odd_side(
     remedies: &Remedies<'_>,
 ) -> FindingWithRemedy {
     let of_each = finding.paths().map(|path| copy_other_side(remedies, model, sides, known, path));
-    let remedy = of_each.reduce(|one, other| join_forces(one?, other?)).flatten();
+    let of_each: Option<Vec<SetRequest>> = of_each.collect();
+    // Forces that get other values follow in the next step.
+    let join = |one: SetRequest, other| join_forces(one.clone(), other).unwrap_or(one);
+    let remedy = of_each.and_then(|all| all.into_iter().reduce(join));
     let mut finding = finding.clone();
     name_odd_side(&mut finding, sides, known);
     FindingWithRemedy::new(finding, remedy.map(Request::from))
@@ -100,13 +103,19 @@ pub(crate) fn with_odd_side(
 
 /// Adds to the message which side is wrong, and why. If most other contacts of the model show it, the message has it already.
 fn name_odd_side(finding: &mut Finding, sides: &BothSides<'_>, known: Option<&KnownSide>) {
-    let left = finding.place.as_deref().and_then(|path| sides.force(path));
-    let Some(odd) = left.and_then(|left| odd_side(known, sides, left)) else { return };
+    let Some(odd) = odd_side_of_all(finding, sides, known) else { return };
     finding.message.push(format!("; the one on the {} differs from the others", odd.as_str()));
     if let Some(known) = known {
         let (side, title) = (known.side.as_str(), &known.title);
         finding.message.push(format!(", since the contacts on the {side} are those of {title}"));
     }
+}
+
+/// The side that is wrong in all cases of `finding`; `None` if it is not known or not the same.
+fn odd_side_of_all(finding: &Finding, sides: &BothSides<'_>, known: Option<&KnownSide>) -> Option<Side> {
+    let mut all = finding.paths().map(|path| odd_side(known, sides, sides.force(path)?));
+    let first = all.next()??;
+    all.all(|one| one == Some(first)).then_some(first)
 }
 
 /// The side that is wrong if `left` and its counterpart differ: the side without the known contacts that the other side has, else the side

@@ -303,4 +303,9 @@ fn faults_of_one_cause_are_one_finding_with_all_elements() {
     let others = Model::parse(others).unwrap();
     let out_of_domain = model_findings(&others).iter().filter(|one| one.code() == finding.code());
     assert_eq!(out_of_domain.map(|one| one.places.len()).collect::<Vec<_>>(), [2, 10]);
+    // Places that are misread each have a text of their own, and one cause.
+    let places = text.replace("<location>", "<location>~[").replace("</location>", "]</location>");
+    let places = Model::parse(places).unwrap();
+    let misread = model_findings(&places).iter().filter(|one| one.code().as_str() == "odd-number");
+    assert_eq!(misread.map(|one| one.places.len()).collect::<Vec<_>>(), [13]);
 }

@@ -146,16 +146,23 @@ impl Finding {
     }
 
     /// What findings of one cause have in common: all but their lines, and in their texts the component paths and the names after "m for".
+    /// Numbers that are misread or differ between the sides may each have a value of its own.
     fn cause(&self) -> String {
-        let texts = std::iter::once(self.message.to_string()).chain(self.details.iter().cloned());
-        let without_paths = texts.map(|text| {
+        use FindingCode::{LeftRightClose, LeftRightDiffer, OddNumber};
+        let without_paths = |text: &str| {
             let words: Vec<&str> = text.split(' ').collect();
             let is_name = |at: usize| at > 1 && words.get(at - 2..at) == Some(&["m", "for"]);
             let words = words.iter().enumerate();
             let words = words.map(|(at, word)| if word.starts_with('/') || is_name(at) { "/" } else { word });
             words.collect::<Vec<_>>().join(" ")
-        });
-        format!("{:?}", (self.code(), self.severity, without_paths.collect::<Vec<_>>(), &self.spheres))
+        };
+        let message = self.message.to_string();
+        let is_of_value = matches!(self.code(), LeftRightClose | LeftRightDiffer | OddNumber);
+        if let Some((what, _)) = message.split_once(" is ").filter(|_| is_of_value) {
+            return format!("{:?}", (self.code(), self.severity, without_paths(what)));
+        }
+        let texts = std::iter::once(&message).chain(&self.details).map(|text| without_paths(text));
+        format!("{:?}", (self.code(), self.severity, texts.collect::<Vec<_>>(), &self.spheres))
     }
 
     /// Makes one finding of all that have the same cause. It has the place and the line of the first, and a sentence for each.

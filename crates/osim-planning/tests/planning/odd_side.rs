@@ -1,7 +1,8 @@
 //! Finding the wrong one of two sides, if all contacts of one side differ from those of the other.
 
-use crate::checks::{check_text, message};
+use crate::checks::{check_text, message, remedy};
 use osim_model::FindingCode;
+use serde_json::json;
 
 /// A human with the contacts of Falisse et al. (2022), six forces on each side.
 const HUMAN: &str = include_str!("../../../../fixtures/check/known_contacts.osim");
@@ -30,15 +31,21 @@ fn the_table_of_known_contacts_shows_which_side_is_wrong() {
 
 #[test]
 fn radii_of_one_side_are_one_finding() {
-    let mut parts = HUMAN.split("<ContactSphere name=\"");
-    let first = parts.next().unwrap().to_owned();
-    let text = parts.fold(first, |text, sphere| {
-        let is_left = sphere.split('"').next().unwrap().ends_with("_l");
-        let sphere = if is_left { sphere.replace(">0.032<", ">0.0384<") } else { sphere.to_owned() };
-        format!("{text}<ContactSphere name=\"{sphere}")
-    });
-    let found = check_text(&text);
-    let different = found.findings.iter().filter(|one| one.code() == FindingCode::LeftRightDiffer);
-    let counts: Vec<usize> = different.map(|one| one.places.len()).collect();
-    assert_eq!(counts, [6], "the left force of each pair");
+    for radii in [[0.0384; 6], [0.0368, 0.0384, 0.04, 0.0416, 0.0432, 0.0448]] {
+        let mut radii = radii.into_iter();
+        let mut parts = HUMAN.split("<ContactSphere name=\"");
+        let first = parts.next().unwrap().to_owned();
+        let text = parts.fold(first, |text, sphere| {
+            let is_left = sphere.split('"').next().unwrap().ends_with("_l");
+            let own = if is_left { radii.next().unwrap() } else { 0.032 };
+            format!("{text}<ContactSphere name=\"{}", sphere.replace(">0.032<", &format!(">{own}<")))
+        });
+        let found = check_text(&text);
+        let different = found.findings.iter().filter(|one| one.code() == FindingCode::LeftRightDiffer);
+        let counts: Vec<usize> = different.map(|one| one.places.len()).collect();
+        assert_eq!(counts, [6], "the left force of each pair");
+        let copied = remedy(&found, FindingCode::LeftRightDiffer);
+        assert_eq!(copied["set"], json!({"radius": 0.032}));
+        assert_eq!(copied["select"].as_array().unwrap().len(), 6);
+    }
 }
