@@ -3,7 +3,7 @@
 
 use osim_model::messages::{counted, shown, three_significant};
 use osim_model::{
-    Assignment, Example, Finding, Force, Model, Property, Repair, Rule, Severity, Side, Sphere,
+    Assignment, Example, Finding, Force, Model, Property, Repair, Rule, Severity, Side, Sphere, without_side,
 };
 use osim_requests::options::ForceOptions;
 use osim_requests::{Request, SetRequest};
@@ -289,11 +289,19 @@ pub(super) fn find_left_right_missing(sides: &BothSides<'_>) -> Option<Finding> 
         .filter_map(|unpaired| Some((unpaired.sphere.sphere, unpaired.sphere.body, unpaired.other_body?)))
         .collect();
     let (sphere, body, other_body) = all.first()?;
+    // A counterpart on another body, such as the pelvis.
+    let series = without_side(&sphere.name);
+    let mut by_name = sides.model.spheres().iter().filter(|one| without_side(&one.name) == series);
+    let elsewhere = by_name.find_map(|one| {
+        let carrier = one.body.as_deref().filter(|carrier| ![*body, *other_body].contains(carrier))?;
+        Some(format!(": {} is on {}", shown(&one.name), shown(carrier)))
+    });
     let text = format!(
-        "{} on {} has no counterpart on {}{}",
+        "{} on {} has no counterpart on {}{}{}",
         shown(&sphere.name),
         shown(body),
         shown(other_body),
+        elsewhere.unwrap_or_default(),
         other_cases_in_words(all.len(), "another sphere neither", "other spheres neither")
     );
     finding_about_spheres(&LEFT_RIGHT_MISSING, text, all.iter().map(|(sphere, _, _)| *sphere))

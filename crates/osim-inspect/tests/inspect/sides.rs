@@ -209,6 +209,9 @@ fn spheres_without_a_counterpart_are_named() {
     let found =
         message_of_finding(&with_sphere_removed_or_copied(HUMAN, "ball_l", 0), FindingCode::LeftRightMissing);
     assert_eq!(found, "ball_r on calcn_r has no counterpart on calcn_l");
+    let on_pelvis = with_edited_element(HUMAN, (SPHERE_CLASS, "ball_l"), "/calcn_l/calcn_l_ball", "/pelvis");
+    let found = message_of_finding(&on_pelvis, FindingCode::LeftRightMissing);
+    assert_eq!(found, "ball_r on calcn_r has no counterpart on calcn_l: ball_l is on pelvis");
     // One side without contacts: a kicker.
     let one_side = ["heel_l", "ball_l", "toe_l"]
         .iter()
