@@ -1,18 +1,13 @@
-//! Recognises contacts: published contacts by their dimensionless values, and the contacts of the reference model that the caller names.
+//! Recognises published contacts by their dimensionless values.
 
 use std::collections::BTreeMap;
 use std::sync::OnceLock;
 
 use contact_scaling::SURFACE_OVER_COMPOSITE_MODULUS;
-use foldhash::HashMap;
-use osim_model::messages::shown;
 use osim_model::{
-    FindingCode, Force, ForceId, LoadedSphere, Model, Property, Severity, Side, Value, are_equal_masses,
-    loaded_spheres,
+    Finding, FindingCode, ForceId, LoadedSphere, Model, Property, Severity, are_equal_masses, loaded_spheres,
 };
 use serde::{Deserialize, Serialize};
-
-use crate::sides::BothSides;
 
 /// Two values of contacts are equal if their relative difference is at most this.
 const EXACT_TOLERANCE: f64 = 1e-6;
@@ -62,15 +57,17 @@ impl KnownContacts {
         Self::find_similar_entry(&contacts, count, mass_kg, entries(), &ComparedNumbers::EXACT)
     }
 
-    /// The severity that the table gives a finding about `forces`, if their contacts are not known but the numbers on which the finding
-    /// depends are the published ones. A fault that was published is only a remark, whatever the other numbers are.
+    /// The severity that the table gives `finding` about `forces`, if their contacts are not known but the numbers on which the finding
+    /// depends are the published ones. A fault that was published is only a remark, whatever the other numbers are, and whatever the
+    /// contacts are of spheres that the finding is not about.
     pub(crate) fn severity_of_similar(
         model: &Model,
         forces: &[ForceId],
         count: Option<f64>,
         mass_kg: Option<f64>,
-        code: FindingCode,
+        finding: &Finding,
     ) -> Option<Severity> {
+        let code = finding.code();
         let likeness = ComparedNumbers::for_finding(code)?;
         let with_severity = entries().iter().filter(|entry| entry.severity(code).is_some());
         let contacts = contacts_of_sets(model, forces)?;
@@ -78,7 +75,8 @@ impl KnownContacts {
         similar.and_then(|known| known.severity(code, mass_kg)).or_else(|| {
             let near = ComparedNumbers { tolerance: NEAR_TOLERANCE, ..likeness };
             let mass_kg = mass_kg?;
-            with_severity.clone().find(|entry| entry.is_near(&contacts, mass_kg, &near))?.severity(code)
+            let is_near = |entry: &&KnownContactsEntry| entry.is_near(&contacts, finding, mass_kg, &near);
+            with_severity.clone().find(is_near)?.severity(code)
         })
     }
 
@@ -140,6 +138,8 @@ impl KnownContacts {
 /// The contact of one parameter set of a model, and the number of spheres with this contact.
 struct ContactOfSet {
     spheres: usize,
+    /// Names of the spheres.
+    names: Vec<String>,
     /// Root mean square of the radii of the spheres.
     radius_m: f64,
     composite_modulus: f64,
@@ -164,8 +164,10 @@ fn contact_of_set(model: &Model, spheres: &[LoadedSphere]) -> Option<ContactOfSe
     let value = |property| force.value(*set, property).map(|value| value.number);
     let count = spheres.len() as f64;
     let squares: f64 = spheres.iter().map(|sphere| sphere.radius_m * sphere.radius_m).sum();
+    let names = spheres.iter().filter_map(|sphere| Some(model.sphere(sphere.sphere)?.name.clone()));
     Some(ContactOfSet {
         spheres: spheres.len(),
+        names: names.collect(),
         radius_m: (squares / count).sqrt(),
         composite_modulus: contact.composite_modulus(),
         dissipation: contact.dissipation(),
@@ -274,16 +276,26 @@ impl KnownContactsEntry {
         })
     }
 
-    /// Whether each of `contacts` is near a contact of this entry, and each contact of the entry near one of them, under a body of the
-    /// published mass. No number follows a radius that somebody has changed.
-    fn is_near(&self, contacts: &[ContactOfSet], mass_kg: f64, likeness: &ComparedNumbers) -> bool {
+    /// Whether each of `contacts` that `finding` is about is near a contact of this entry, and each contact of the entry near one of them all,
+    /// under a body of the published mass. No number follows a radius that somebody has changed.
+    fn is_near(
+        &self,
+        contacts: &[ContactOfSet],
+        finding: &Finding,
+        mass_kg: f64,
+        likeness: &ComparedNumbers,
+    ) -> bool {
         let near = |contact: &ContactOfSet, published: &PublishedContact| {
             likeness.is_close(contact.radius_m, published.radius_m)
                 && self.matches_values(contact, published, [1.0; 3], likeness)
         };
         let has_near = |published| contacts.iter().any(|contact| near(contact, published));
+        let is_about = |contact: &&ContactOfSet| {
+            finding.spheres.is_empty() || contact.names.iter().any(|name| finding.spheres.contains(name))
+        };
+        let mut in_question = contacts.iter().filter(is_about);
         are_equal_masses(mass_kg, self.body_kg())
-            && contacts.iter().all(|contact| self.contacts.iter().any(|one| near(contact, one)))
+            && in_question.all(|contact| self.contacts.iter().any(|one| near(contact, one)))
             && self.contacts.iter().all(has_near)
     }
 
@@ -366,48 +378,6 @@ fn entries() -> &'static [KnownContactsEntry] {
     ENTRIES.get_or_init(|| serde_json::from_str(include_str!("known_contacts.json")).unwrap_or_default())
 }
 
-/// The contact parameters of a reference model. They show which side of another model still has the contacts of the reference.
-#[derive(Debug, Clone, PartialEq)]
-pub struct ReferenceContacts {
-    name: String,
-    /// The values of all parameter sets of a force, by the name of the force.
-    parameters: HashMap<String, Vec<f64>>,
-}
-
-impl ReferenceContacts {
-    /// The contact parameters of `model`; messages call this model `name`.
-    pub fn from_model(name: &str, model: &Model) -> Self {
-        let parameters =
-            model.forces().iter().map(|force| (force.name.clone(), values_of_all_sets(force))).collect();
-        Self { name: name.to_owned(), parameters }
-    }
-
-    /// The name of the reference, as messages show it.
-    pub(crate) fn title(&self) -> String {
-        shown(&self.name).to_string()
-    }
-
-    /// The side whose forces have the parameters of the reference, if the forces of the other side have not.
-    pub(crate) fn side_like_reference(&self, model: &Model, sides: &BothSides<'_>) -> Option<Side> {
-        let is_as_reference = |side| {
-            let forces = sides.forces_on(side);
-            let mut all = forces.iter().filter_map(|&id| model.force(id)).peekable();
-            all.peek().is_some()
-                && all.all(|force| self.parameters.get(&force.name) == Some(&values_of_all_sets(force)))
-        };
-        match (is_as_reference(Side::Right), is_as_reference(Side::Left)) {
-            (true, false) => Some(Side::Right),
-            (false, true) => Some(Side::Left),
-            _ => None,
-        }
-    }
-}
-
-/// The numbers of all parameter sets of a force, in order.
-fn values_of_all_sets(force: &Force) -> Vec<f64> {
-    force.sets.iter().flat_map(|set| &set.values).map(|value: &Value| value.number).collect()
-}
-
 #[cfg(test)]
 mod tests {
     use std::collections::BTreeSet;
@@ -449,9 +419,16 @@ mod tests {
     #[test]
     fn a_published_finding_stays_a_remark_near_the_published_numbers() {
         let entry = entries().iter().find(|entry| entry.name == "dhondt2024").unwrap();
-        let is_near = |code, mass_kg, edit: fn(&mut ContactOfSet)| {
-            let published = entry.contacts.iter().map(|contact| ContactOfSet {
-                spheres: 2 * contact.spheres,
+        // About the first sphere, a heel on the right.
+        let finding = |code| {
+            let rule = crate::rules::rules().find(|rule| rule.code == code).unwrap();
+            Finding::new(rule, "").with_spheres(vec!["0".to_owned()])
+        };
+        let is_near = |finding: &Finding, mass_kg, edit: fn(&mut [ContactOfSet])| {
+            let both_sides = entry.contacts.iter().chain(&entry.contacts).enumerate();
+            let published = both_sides.map(|(index, contact)| ContactOfSet {
+                spheres: contact.spheres,
+                names: vec![index.to_string()],
                 radius_m: contact.radius_m,
                 composite_modulus: contact.stiffness / SURFACE_OVER_COMPOSITE_MODULUS,
                 dissipation: contact.dissipation,
@@ -460,18 +437,23 @@ mod tests {
                 transition_velocity: entry.transition_velocity,
             });
             let mut contacts: Vec<ContactOfSet> = published.collect();
-            edit(&mut contacts[0]);
-            let likeness = ComparedNumbers::for_finding(code).unwrap();
-            entry.is_near(&contacts, mass_kg, &ComparedNumbers { tolerance: NEAR_TOLERANCE, ..likeness })
+            edit(&mut contacts);
+            let likeness = ComparedNumbers::for_finding(finding.code()).unwrap();
+            let near = ComparedNumbers { tolerance: NEAR_TOLERANCE, ..likeness };
+            entry.is_near(&contacts, finding, mass_kg, &near)
         };
-        let (constant, before) = (FindingCode::LargeConstantIndentation, FindingCode::ForceBeforeContact);
-        assert!(is_near(constant, 62.0, |heel| heel.radius_m *= 1.1));
-        assert!(is_near(constant, 62.0, |heel| heel.friction[0] = 0.2));
-        assert!(is_near(before, 62.0, |heel| heel.composite_modulus *= 1.2));
+        let constant = &finding(FindingCode::LargeConstantIndentation);
+        let before = &finding(FindingCode::ForceBeforeContact);
+        assert!(is_near(constant, 62.0, |all| all[0].radius_m *= 1.1));
+        assert!(is_near(constant, 62.0, |all| all[0].friction[0] = 0.2));
+        assert!(is_near(before, 62.0, |all| all[0].composite_modulus *= 1.2));
         // Half the radius, ten times the stiffness or the mass is something else.
-        assert!(!is_near(constant, 62.0, |heel| heel.radius_m *= 0.5));
-        assert!(!is_near(before, 62.0, |heel| heel.composite_modulus *= 10.0));
+        assert!(!is_near(constant, 62.0, |all| all[0].radius_m *= 0.5));
+        assert!(!is_near(before, 62.0, |all| all[0].composite_modulus *= 10.0));
         assert!(!is_near(constant, 620.0, |_| ()));
+        // Another sphere does not change what this one was published with, as long as each published contact is there.
+        assert!(is_near(constant, 62.0, |all| all[7].radius_m *= 2.0));
+        assert!(!is_near(constant, 62.0, |all| all.iter_mut().skip(3).for_each(|one| one.radius_m *= 2.0)));
     }
 
     #[test]

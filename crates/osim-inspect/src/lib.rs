@@ -34,6 +34,7 @@ mod published_layouts;
 mod quantity;
 mod reach;
 mod real_feet;
+mod reference_contacts;
 mod rules;
 mod serialized;
 pub mod series;
@@ -51,12 +52,13 @@ pub use inspection::{
     BodyAtRest, Bottom, ContactsMass, Dimensionless, InspectedBody, InspectedFactors, InspectedForce,
     InspectedLimb, InspectedSphere, Inspection, NoteStep, NoteSummary, StandingBody, StandingSphere,
 };
-pub use known_contacts::{KnownContacts, ReferenceContacts};
+pub use known_contacts::KnownContacts;
 pub use load::{
     ContactsOrigin, InspectOptions, LoadSharing, MassMismatch, Stance, first_unexplained, unexplained_mass,
 };
 pub use plane_judgement::weight_share_on_floor;
 pub use quantity::Quantity;
+pub use reference_contacts::ReferenceContacts;
 pub use rules::{
     describe_unmatched_patterns, find_misplaced_spheres, model_findings, rules, ways_within_hertz,
 };

@@ -237,7 +237,7 @@ fn with_published_severities(
     let severity = |finding: &FindingWithRemedy| match inspected.known_contacts {
         Some(known) => known.severity(finding.code(), inspected.mass_kg),
         None if finding.severity == Severity::Remark => None,
-        None => KnownContacts::severity_of_similar(model, chosen, count, inspected.mass_kg, finding.code()),
+        None => KnownContacts::severity_of_similar(model, chosen, count, inspected.mass_kg, finding),
     };
     let with_severity = |finding: FindingWithRemedy| match severity(&finding) {
         Some(severity) => finding.with_published_severity(severity),
