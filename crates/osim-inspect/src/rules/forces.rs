@@ -2,9 +2,10 @@
 
 use foldhash::{HashSet, HashSetExt};
 use osim_model::messages::{readable, shown};
+use osim_model::opensim_text::plain_numbers;
 use osim_model::{
-    Body, Example, Finding, Force, ForceKind, Model, ParameterSet, Repair, Rule, Selection, SetId, Side,
-    Sphere,
+    Body, Example, Finding, Force, ForceKind, Model, ParameterSet, Property, Repair, Rule, Selection, SetId,
+    Severity, Side, Sphere,
 };
 use osim_requests::options::{ClassChoice, ForceOptions};
 use osim_requests::{ConvertRequest, Request};
@@ -261,7 +262,7 @@ pub(super) fn convert_moco_forces(
 }
 
 rule! { pub(super) DEAD_DERIVATIVE_SMOOTHING: DeadDerivativeSmoothing, Warning, Solver;
-    what: "The file has a derivative_smoothing element, which OpenSim ignores.",
+    what: "The file has a derivative_smoothing element, which OpenSim ignores. It is a remark if OpenSim takes the same number without it.",
     why: "derivative_smoothing was the name of constant_contact_force in early Moco. OpenSim ignores it and uses its default of 1e-5 m2 for constant_contact_force.",
     advice: "Remove the element, and write constant_contact_force if it should have another value",
     repair: Repair::NotPossible("only you know which value is right"),
@@ -279,7 +280,11 @@ pub(super) fn find_dead_derivative_smoothing(model: &Model) -> Vec<Finding> {
         if let Some(dead) = document.tree().child(force.element(), "derivative_smoothing") {
             let position = document.position_of(dead);
             let text = format!("{}: derivative_smoothing is ignored by OpenSim", force.path);
-            found.push(Finding::at(&DEAD_DERIVATIVE_SMOOTHING, position, text).with_place(&force.path));
+            let finding = Finding::at(&DEAD_DERIVATIVE_SMOOTHING, position, text).with_place(&force.path);
+            let written = plain_numbers(&document.tree().text_of(dead)).unwrap_or_default();
+            let taken = force.sets.iter().find_map(|set| set.value(Property::ConstantContactForce));
+            let is_same = taken.is_some_and(|taken| written == [taken.number]);
+            found.push(if is_same { finding.with_severity(Severity::Remark) } else { finding });
         }
     }
     found

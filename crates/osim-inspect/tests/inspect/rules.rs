@@ -2,7 +2,7 @@
 //! `tests/oracle/test_words.py` compares with OpenSim again.
 
 use osim_inspect::model_findings;
-use osim_model::{Companion, Document, Model};
+use osim_model::{Companion, Document, Model, Severity};
 
 const FOOT: &str = include_str!("../../../osim-model/tests/data/one_foot.osim");
 
@@ -57,6 +57,20 @@ fn derivative_smoothing_is_alive_where_the_force_keeps_its_sphere() {
     let first = fixture("moco_sphere_in_force").replace("constant_contact_force>", "derivative_smoothing>");
     assert!(first.contains("<derivative_smoothing>"));
     assert!(!codes_of(&Model::parse(first).unwrap()).contains(&"dead-derivative-smoothing"));
+}
+
+/// Moco's example model has the number that OpenSim 4.6 takes by default.
+#[test]
+fn derivative_smoothing_is_a_remark_where_opensim_takes_its_number() {
+    let text = fixture("dead_derivative_smoothing");
+    let (own, default) = ("<constant_contact_force>1.5e-05<", "<constant_contact_force>1e-05<");
+    assert!(text.contains(own) && text.contains("<derivative_smoothing>1e-05<"));
+    for (text, severity) in [(text.clone(), Severity::Warning), (text.replace(own, default), Severity::Remark)] {
+        let model = Model::parse(text).unwrap();
+        let mut found = model_findings(&model).iter();
+        let found = found.find(|finding| finding.code().as_str() == "dead-derivative-smoothing");
+        assert_eq!(found.unwrap().severity, severity);
+    }
 }
 
 #[test]
