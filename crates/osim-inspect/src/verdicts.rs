@@ -12,7 +12,7 @@ use osim_model::{FindingCode, MassSource, Model, Severity, VerdictTopic};
 use serde::{Serialize, Serializer};
 
 use crate::inspection::{Inspection, StandingBody, step_in_words};
-use crate::{Figure, FindingWithRemedy, SphereFigures};
+use crate::{Figure, FindingWithRemedy, SphereFigures, codes_of_effects};
 
 /// What is right or wrong with a model in one topic.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -172,12 +172,14 @@ fn judge_topic(on: VerdictTopic, inspected: &InspectedModel<'_>, findings: &[Fin
     let is_on_contacts =
         matches!(on, VerdictTopic::Mass | VerdictTopic::Sides | VerdictTopic::Sizes | VerdictTopic::Solver);
     let is_on_sides = on == VerdictTopic::Sides;
+    let may_differ = || codes_of_effects(findings).contains(&FindingCode::LeftRightDiffer);
     let reasons = [
         (has_finding(FindingCode::BareModel), "there are no contacts"),
         (is_of_other_class, "contacts of this class are not judged"),
         (follows_weight && is_in_other_unit, "gravity is in another unit"),
         (is_on_sides && has_finding(FindingCode::OddNumber), "OpenSim reads another number than is written"),
         (is_on_contacts && has_finding(FindingCode::UnknownName), "OpenSim does not know a name in the file"),
+        (is_on_sides && may_differ(), "a number of a contact has to be corrected first"),
     ];
     if let Some((_, why)) = reasons.into_iter().find(|(applies, _)| *applies) {
         return Verdict::without_findings(on, Err(why.into()));

@@ -3,7 +3,9 @@
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
-use osim_inspect::{CheckResult, FindingIndex, FindingWithRemedy, InspectOptions, Inspection};
+use osim_inspect::{
+    CheckResult, FindingIndex, FindingWithRemedy, InspectOptions, Inspection, codes_of_effects,
+};
 use osim_model::files::{FileName, Files, InMemory};
 use osim_model::{Finding, FindingCode, Model, Pattern, Repair, Severity};
 use osim_requests::options::OutputOptions;
@@ -138,13 +140,13 @@ impl RemedyTrials<'_> {
         };
         let are_gone = its.iter().all(is_gone);
         let makes_forces = matches!(request, Request::Convert(_));
+        // What followed from a fault that is gone now may have been left out before.
+        let unsaid = self.of_reference | &codes_of_effects(&before.findings);
         let has_new_warnings = warnings_and_errors(after)
-            .filter(|one| {
-                findings_before.find_same(one).is_none() && !self.of_reference.contains(&one.code())
-            })
+            .filter(|one| findings_before.find_same(one).is_none() && !unsaid.contains(&one.code()))
             .any(|one| one.spheres.is_empty())
             && !makes_forces;
-        let known = &codes_of_warnings(before) | self.of_reference;
+        let known = &codes_of_warnings(before) | &unsaid;
         are_gone && !has_new_warnings && codes_of_warnings(after).is_subset(&known)
     }
 }

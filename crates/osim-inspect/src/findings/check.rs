@@ -12,6 +12,7 @@ use osim_requests::options::{AnswerOptions, ForceOptions, MassOptions};
 use osim_requests::{Kilograms, Request, RescaleRequest};
 
 use crate::findings::check_result::{CheckResult, sort_findings};
+use crate::findings::effects::without_effects;
 use crate::findings::remedy::{ChangeableValues, Remedies};
 use crate::plane_judgement::Floors;
 use crate::published_layouts::volume_of_published_bones;
@@ -133,7 +134,7 @@ fn collect_findings(
     for remedy in findings.iter_mut().filter_map(|finding| finding.remedy.as_mut()) {
         confirm_suspicions(remedy, model, &options.masses);
     }
-    with_published_severities(model, &chosen, inspected, findings)
+    without_effects(model, with_published_severities(model, &chosen, inspected, findings))
 }
 
 /// Whether `findings` have the code of `one` for all its spheres, as severely.

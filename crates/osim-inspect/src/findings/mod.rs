@@ -2,6 +2,7 @@
 
 mod check;
 mod check_result;
+mod effects;
 mod finding;
 mod remedy;
 
@@ -10,6 +11,7 @@ pub use check_result::{
     CheckResult, ConsistencyRecord, CorrectedErrorRecord, Counts, JointMomentsRecord, ResidualRecord,
     RootResidualRecord,
 };
+pub use effects::codes_of_effects;
 pub use finding::{FindingIndex, FindingWithRemedy};
 pub use remedy::ChangeableValues;
 pub(crate) use remedy::{

@@ -65,7 +65,8 @@ fn derivative_smoothing_is_a_remark_where_opensim_takes_its_number() {
     let text = fixture("dead_derivative_smoothing");
     let (own, default) = ("<constant_contact_force>1.5e-05<", "<constant_contact_force>1e-05<");
     assert!(text.contains(own) && text.contains("<derivative_smoothing>1e-05<"));
-    for (text, severity) in [(text.clone(), Severity::Warning), (text.replace(own, default), Severity::Remark)] {
+    let cases = [(text.clone(), Severity::Warning), (text.replace(own, default), Severity::Remark)];
+    for (text, severity) in cases {
         let model = Model::parse(text).unwrap();
         let mut found = model_findings(&model).iter();
         let found = found.find(|finding| finding.code().as_str() == "dead-derivative-smoothing");

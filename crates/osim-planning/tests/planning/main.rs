@@ -24,6 +24,7 @@ mod level_feet;
 mod many_limbs;
 mod masses;
 mod odd_side;
+mod one_cause;
 mod placement;
 mod random;
 mod remedies;

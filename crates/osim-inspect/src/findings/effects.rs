@@ -1,0 +1,108 @@
+//! Leaves out findings that only follow from others, so that each cause is said once.
+
+use std::collections::BTreeSet;
+
+use osim_model::{FindingCode, Force, Model, Severity};
+
+use crate::findings::FindingWithRemedy;
+use crate::sides::BothSides;
+
+use FindingCode::*;
+
+/// Codes of causes, and the codes of what follows from them anywhere in the model. What else causes it is found once the first is gone.
+const EFFECTS: [(&[FindingCode], &[FindingCode]); 5] = [
+    (&[MasslessBody, HeavyFoot], &[ContactsOfAnotherMass]),
+    (&[SphereInTwoForces, DoubledSpheres], &[Floats, ForceBeforeContact]),
+    (&[SphereOfOtherSide], &[SphereInTwoForces, LeftRightMissing]),
+    (&[LeftRightSwapped], &[SpheresMisplaced]),
+    (&[OddRadius], &[UnevenBottoms]),
+];
+
+/// What follows from a number of a contact that OpenSim reads differently from what is written.
+const EFFECTS_OF_MISREAD_NUMBERS: [FindingCode; 11] = [
+    CrowdedSpheres,
+    DoubledSpheres,
+    DynamicAboveStatic,
+    LargeFriction,
+    LeftRightDiffer,
+    LeftRightMissing,
+    LeftRightPlaces,
+    OddPlace,
+    OddRadius,
+    SpheresMisplaced,
+    UnevenBottoms,
+];
+
+/// What follows from an odd radius for its sphere.
+const EFFECTS_OF_ODD_RADIUS: [FindingCode; 4] =
+    [ForceBeforeContact, LargeConstantIndentation, TooStiff, WideTransition];
+
+/// Causes by which the contacts of two sides differ.
+const CAUSES_OF_UNLIKE_SIDES: [FindingCode; 3] = [NotFinite, OddRadius, OutOfDomain];
+
+/// The warnings and errors among `findings` that have one of these codes.
+fn with_codes<'f>(findings: &'f [FindingWithRemedy], codes: &[FindingCode]) -> Vec<&'f FindingWithRemedy> {
+    let severe = findings.iter().filter(|one| one.severity > Severity::Remark);
+    severe.filter(|one| codes.contains(&one.code())).collect()
+}
+
+/// The codes of what follows from `findings` anywhere in the model.
+fn effects_anywhere(findings: &[FindingWithRemedy]) -> BTreeSet<FindingCode> {
+    let caused = EFFECTS.iter().filter(|(causes, _)| !with_codes(findings, causes).is_empty());
+    caused.flat_map(|(_, effects)| effects.iter().copied()).collect()
+}
+
+/// The codes of warnings and errors that may be left out beside `findings`, because they follow from these.
+pub fn codes_of_effects(findings: &[FindingWithRemedy]) -> BTreeSet<FindingCode> {
+    let of_elements: [(&[FindingCode], &[FindingCode]); 3] = [
+        (&[OddNumber], &EFFECTS_OF_MISREAD_NUMBERS),
+        (&[OddRadius], &EFFECTS_OF_ODD_RADIUS),
+        (&CAUSES_OF_UNLIKE_SIDES, &[LeftRightDiffer]),
+    ];
+    let mut all = effects_anywhere(findings);
+    for (causes, effects) in of_elements {
+        if !with_codes(findings, causes).is_empty() {
+            all.extend(effects);
+        }
+    }
+    all
+}
+
+/// The findings about `model`, without warnings and errors that only follow from others.
+pub(super) fn without_effects(model: &Model, mut findings: Vec<FindingWithRemedy>) -> Vec<FindingWithRemedy> {
+    let anywhere = effects_anywhere(&findings);
+    let misreads_contacts = !forces_of(model, &with_codes(&findings, &[OddNumber])).is_empty();
+    let odd_radii = with_codes(&findings, &[OddRadius]).into_iter().flat_map(|one| one.spheres.clone());
+    let spheres_of_odd_radius: BTreeSet<String> = odd_radii.collect();
+    let wrong_forces = forces_of(model, &with_codes(&findings, &CAUSES_OF_UNLIKE_SIDES));
+    let sides = (!wrong_forces.is_empty()).then(|| BothSides::of(model));
+    let has_wrong_force = |path: &String| {
+        let Some((sides, left)) = sides.as_ref().and_then(|sides| Some((sides, sides.force(path)?))) else {
+            return false;
+        };
+        let right = sides.right_counterpart(left);
+        wrong_forces.contains(&left.path) || right.is_some_and(|right| wrong_forces.contains(&right.path))
+    };
+    findings.retain(|one| {
+        let code = one.code();
+        let is_of_number = misreads_contacts && EFFECTS_OF_MISREAD_NUMBERS.contains(&code);
+        let is_of_radius = EFFECTS_OF_ODD_RADIUS.contains(&code)
+            && !one.spheres.is_empty()
+            && one.spheres.iter().all(|sphere| spheres_of_odd_radius.contains(sphere));
+        let is_of_sides = code == LeftRightDiffer && one.paths().all(has_wrong_force);
+        let is_effect = anywhere.contains(&code) || is_of_number || is_of_radius || is_of_sides;
+        one.severity == Severity::Remark || !is_effect
+    });
+    findings
+}
+
+/// The paths of the forces that `findings` are about, and of those that press the spheres that they are about.
+fn forces_of(model: &Model, findings: &[&FindingWithRemedy]) -> BTreeSet<String> {
+    let paths: BTreeSet<&String> = findings.iter().flat_map(|one| one.paths()).collect();
+    let presses = |force: &Force| {
+        let mut spheres = force.spheres().iter().filter_map(|&id| model.sphere(id));
+        spheres.any(|sphere| paths.contains(&sphere.path))
+    };
+    let forces = model.forces().iter().filter(|force| paths.contains(&force.path) || presses(force));
+    forces.map(|force| force.path.clone()).collect()
+}

@@ -1,0 +1,37 @@
+//! One fault in a model is one error or warning, about the element that is wrong: what follows from it is not said beside it.
+
+use osim_inspect::Sign;
+use osim_model::{FindingCode, Severity};
+
+use crate::checks::{check_text, find};
+
+/// A human with the contacts of Falisse et al. (2022), six forces on each side.
+const HUMAN: &str = include_str!("../../../../fixtures/check/known_contacts.osim");
+
+/// The model in which the first `old` after `start` is replaced by `new`.
+fn edited(start: &str, old: &str, new: &str) -> String {
+    let (before, rest) = HUMAN.split_at(HUMAN.find(start).unwrap());
+    assert!(rest.contains(old), "{old}");
+    format!("{before}{}", rest.replacen(old, new, 1))
+}
+
+#[test]
+fn each_fault_is_said_once() {
+    use FindingCode::{OddNumber, OddRadius, OutOfDomain, SphereOfOtherSide};
+    let sphere = "ContactSphere name=\"s1_r\"";
+    for (text, code, place) in [
+        (edited(sphere, ">0.032<", ">0,32<"), OddNumber, "/contactgeometryset/s1_r"),
+        (edited(sphere, "<location>", "<location>["), OddNumber, "/contactgeometryset/s1_r"),
+        (edited(sphere, ">0.032<", ">0.32<"), OddRadius, "/contactgeometryset/s1_r"),
+        (edited("\"contact_s1_r\"", ">1000000<", ">0<"), OutOfDomain, "/forceset/contact_s1_r"),
+        (edited("\"contact_s1_l\"", "/s1_l<", "/s1_r<"), SphereOfOtherSide, "/forceset/contact_s1_l"),
+    ] {
+        let found = check_text(&text);
+        let severe = found.findings.iter().filter(|one| one.severity > Severity::Remark);
+        assert_eq!(severe.map(|one| one.code()).collect::<Vec<_>>(), [code], "{:?}", found.findings);
+        assert_eq!(find(&found, code).place.as_deref(), Some(place));
+        // Nothing is called good that was not judged.
+        let sides = found.verdicts.iter().find(|verdict| verdict.on.as_str() == "sides").unwrap();
+        assert_ne!(sides.sign, Sign::Good, "{:?}", sides.text);
+    }
+}
