@@ -166,8 +166,12 @@ fn judge_topic(on: VerdictTopic, inspected: &InspectedModel<'_>, findings: &[Fin
     let has_finding = |code| findings.iter().any(|found| found.code() == code);
     let (model, inspection) = (inspected.model, inspected.inspection);
     let is_of_other_class = model.forces().is_empty() && !model.carriers_of_other_classes().is_empty();
-    let is_in_other_unit = has_finding(FindingCode::GravityTooLarge)
-        && inspection.figures.gravity_m_s2 == inspection.gravity_m_s2;
+    let is_gravity_wrong = findings.iter().any(|found| {
+        let is_about_gravity = matches!(found.code(), FindingCode::GravityTooLarge | FindingCode::OddGravity);
+        is_about_gravity && found.severity > Severity::Remark
+    });
+    let is_in_other_unit =
+        is_gravity_wrong && inspection.figures.gravity_m_s2 == inspection.gravity_m_s2;
     let follows_weight = matches!(on, VerdictTopic::Standing | VerdictTopic::Mass | VerdictTopic::Solver);
     let is_on_contacts =
         matches!(on, VerdictTopic::Mass | VerdictTopic::Sides | VerdictTopic::Sizes | VerdictTopic::Solver);
@@ -176,7 +180,7 @@ fn judge_topic(on: VerdictTopic, inspected: &InspectedModel<'_>, findings: &[Fin
     let reasons = [
         (has_finding(FindingCode::BareModel), "there are no contacts"),
         (is_of_other_class, "contacts of this class are not judged"),
-        (follows_weight && is_in_other_unit, "gravity is in another unit"),
+        (follows_weight && is_in_other_unit, "gravity has to be corrected first"),
         (is_on_sides && has_finding(FindingCode::OddNumber), "OpenSim reads another number than is written"),
         (is_on_contacts && has_finding(FindingCode::UnknownName), "OpenSim does not know a name in the file"),
         (is_on_sides && may_differ(), "a number of a contact has to be corrected first"),

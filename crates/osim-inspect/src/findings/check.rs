@@ -67,9 +67,10 @@ fn collect_findings(
     let causes = [FindingCode::MasslessBody, FindingCode::HeavyFoot, FindingCode::MisplacedObject];
     let floors_of_model = Floors::of(model);
     let odd_gravity = floors::find_odd_gravity(model, &floors_of_model);
+    let is_gravity_odd = odd_gravity.is_some_and(|finding| finding.severity > Severity::Remark);
     if has_loose_body
         || causes.into_iter().any(has_finding)
-        || odd_gravity.is_some_and(|finding| finding.severity > Severity::Remark)
+        || is_gravity_odd
         || are_numbers_exchanged(model)
     {
         remedies = remedies.none_yet();
@@ -83,7 +84,7 @@ fn collect_findings(
     // A body without a joint may be a copy, whose mass counts twice.
     let another_mass = another_mass.filter(|_| !has_loose_body);
     // Until mass, gravity and places are right, commands about single numbers would be wrong afterwards.
-    let in_other_units = floors::find_too_large_gravity(model).is_some();
+    let in_other_units = is_gravity_odd || floors::find_too_large_gravity(model).is_some();
     let another_gravity = floors::find_gravity_sources_disagree(model, options).filter(|_| !in_other_units);
     let is_unsettled = mismatch.is_some() || another_mass.is_some() || another_gravity.is_some();
     if is_unsettled || places.are_wrong() || are_spheres_odd(model) {

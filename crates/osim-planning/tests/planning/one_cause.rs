@@ -35,3 +35,13 @@ fn each_fault_is_said_once() {
         assert_ne!(sides.sign, Sign::Good, "{:?}", sides.text);
     }
 }
+
+/// Under ten times the gravity these contacts sink in up to their centres, and nothing is wrong with them.
+#[test]
+fn figures_under_a_gravity_that_is_wrong_are_not_judged() {
+    let found = check_text(&edited("<gravity>", ">0 -9.81 0<", ">0 -98.1 0<"));
+    let severe = found.findings.iter().filter(|one| one.severity > Severity::Remark);
+    assert_eq!(severe.map(|one| one.code()).collect::<Vec<_>>(), [FindingCode::OddGravity]);
+    let unknown = found.verdicts.iter().filter(|verdict| verdict.sign == Sign::Unknown);
+    assert_eq!(unknown.map(|verdict| verdict.on.as_str()).collect::<Vec<_>>(), ["standing", "mass", "solver"]);
+}
