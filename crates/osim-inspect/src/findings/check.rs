@@ -64,7 +64,12 @@ fn collect_findings(
     // A command that makes contacts right for what is wrong elsewhere would hide the fault.
     let has_finding = |code| model_findings(model).iter().any(|finding| finding.code() == code);
     let has_loose_body = has_finding(FindingCode::BodyWithoutJoint);
-    let causes = [FindingCode::MasslessBody, FindingCode::HeavyFoot, FindingCode::MisplacedObject];
+    let causes = [
+        FindingCode::MasslessBody,
+        FindingCode::HeavyFoot,
+        FindingCode::MisplacedObject,
+        FindingCode::FootSphereOnGround,
+    ];
     let floors_of_model = Floors::of(model);
     let odd_gravity = floors::find_odd_gravity(model, &floors_of_model);
     let is_gravity_odd = odd_gravity.is_some_and(|finding| finding.severity > Severity::Remark);
@@ -110,8 +115,10 @@ fn collect_findings(
     if has_gravity && !has_finding(FindingCode::UnknownName) {
         findings.extend(apply_figure_rules(&FigureCheck::new(inspected, &remedies)));
     }
-    if [FindingCode::LeftRightPlaces, FindingCode::SpheresMisplaced].into_iter().any(has_finding) {
-        // To make feet level would hide the wrong place.
+    let of_one_sphere =
+        [FindingCode::LeftRightDiffer, FindingCode::LeftRightPlaces, FindingCode::SpheresMisplaced];
+    if of_one_sphere.into_iter().any(has_finding) {
+        // To make feet level would hide the wrong place or radius.
         let makes_level = |remedy: &mut Request| matches!(remedy, Request::Set(set) if set.level);
         findings.iter_mut().for_each(|one| drop(one.remedy.take_if(makes_level)));
     }
@@ -188,15 +195,17 @@ fn are_spheres_odd(model: &Model) -> bool {
     model_findings(model).iter().any(|finding| codes.contains(&finding.code()))
 }
 
-/// Whether a contact has more dissipation, s/m, than stiffness, N/m²: one was written in the place of the other. A stiffness that OpenSim
-/// takes by default is left out.
+/// Whether a contact has more dissipation, s/m, or friction than stiffness, N/m²: one was written in the place of the other. A stiffness
+/// that OpenSim takes by default is left out.
 fn are_numbers_exchanged(model: &Model) -> bool {
-    const MOST_DISSIPATION_S_M: f64 = 1e3;
+    const LEAST_EXCHANGED: f64 = 1e3;
+    use Property::{Dissipation, DynamicFriction, StaticFriction, ViscousFriction};
     let mut sets = model.forces().iter().flat_map(|force| &force.sets);
     sets.any(|set| {
         let number = |property| set.value(property).map(|value| value.number);
-        let numbers = number(Property::Dissipation).zip(number(Property::Stiffness));
-        numbers.is_some_and(|(dissipation, stiffness)| dissipation > stiffness.max(MOST_DISSIPATION_S_M))
+        let others = [Dissipation, DynamicFriction, StaticFriction, ViscousFriction].into_iter();
+        let most = others.filter_map(number).fold(LEAST_EXCHANGED, f64::max);
+        number(Property::Stiffness).is_some_and(|stiffness| most > stiffness.max(LEAST_EXCHANGED))
     })
 }
 

@@ -10,9 +10,11 @@ use crate::sides::BothSides;
 use FindingCode::*;
 
 /// Codes of causes, and the codes of what follows from them anywhere in the model. What else causes it is found once the first is gone.
-const EFFECTS: [(&[FindingCode], &[FindingCode]); 5] = [
+const EFFECTS: [(&[FindingCode], &[FindingCode]); 7] = [
     (&[MasslessBody, HeavyFoot], &[ContactsOfAnotherMass]),
     (&[SphereInTwoForces, DoubledSpheres], &[Floats, ForceBeforeContact]),
+    (&[DoubledSpheres], &[LeftRightMissing]),
+    (&[FootSphereOnGround], &[SunkIn]),
     (&[SphereOfOtherSide], &[SphereInTwoForces, LeftRightMissing]),
     (&[LeftRightSwapped], &[SpheresMisplaced]),
     (&[OddRadius], &[UnevenBottoms]),

@@ -4,7 +4,9 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use foldhash::{HashMap, HashMapExt};
 use osim_model::messages::{readable, shown, three_significant};
-use osim_model::{Body, BodyShape, DVec3, Example, Finding, MassRequest, Model, Repair, Rule, Side, Sphere};
+use osim_model::{
+    Body, BodyShape, DVec3, Example, Finding, MassRequest, Model, Repair, Rule, Side, Sphere, without_side,
+};
 
 use crate::body_bones::BodyBones;
 use crate::sides::{BothSides, place_key};
@@ -309,12 +311,34 @@ fn describe_odd_radius(worst: &OddRadius<'_>, count: usize, model: &Model) -> St
 const MOST_BODIES_ABOVE: usize = 8;
 
 rule! { pub(super) HEAVY_FOOT: HeavyFoot, Warning, Mass;
-    what: "A body with spheres weighs more than each body of its limb above it.",
+    what: "A body with spheres weighs more than each body of its limb above it, or a body of a limb weighs a fifth of all and three times its counterpart.",
     why: "A foot is lighter than the thigh: in published models it weighs 1 to 2 % of the body. A heavier one mostly has the mass of another body, or a decimal point in the wrong place, and swings as no foot does.",
     advice: "Write the mass of the body in kg",
     repair: Repair::NotPossible("only you know what the body weighs"),
     example: Example::Piece { model: "table1/human_62kg_smooth_sphere.osim", good: "<mass>0.7734375</mass>",
         bad: "<mass>7.734375</mass>" },
+}
+
+/// A body of a limb weighs less than this part of the whole body, and less than so many times its counterpart.
+const MOST_OF_WHOLE_BODY: f64 = 0.2;
+const MOST_TIMES_COUNTERPART: f64 = 3.0;
+
+/// The first body that is too heavy against the whole body and its counterpart: its name and mass, and the counterpart's mass and name.
+fn find_heavier_than_counterpart(
+    model: &Model,
+    kg: impl Fn(&str) -> Option<f64>,
+) -> Option<(&str, f64, (f64, &str))> {
+    let names = || model.bodies().iter().map(|body| body.name.as_str());
+    let whole_kg: f64 = names().filter_map(&kg).sum();
+    names().find_map(|body| {
+        let (side, body_kg) = (Side::of_name(body)?, kg(body)?);
+        let is_counterpart = |other: &&str| {
+            Side::of_name(other) == Some(side.other()) && without_side(other) == without_side(body)
+        };
+        let other = names().filter(|_| body_kg > MOST_OF_WHOLE_BODY * whole_kg).find(is_counterpart)?;
+        let other_kg = kg(other).filter(|other_kg| body_kg > MOST_TIMES_COUNTERPART * other_kg)?;
+        Some((body, body_kg, (other_kg, other)))
+    })
 }
 
 /// One finding for all bodies with spheres that are heavier than the rest of their limb, if the limb has at least two bodies above.
@@ -336,11 +360,13 @@ pub(super) fn find_heavy_foot(sides: &BothSides<'_>) -> Option<Finding> {
             heaviest.filter(|(kg, _)| above.len() > 1 && foot_kg > *kg).map(|most| (foot, foot_kg, most)),
         );
     }
-    let (foot, foot_kg, (kg, above)) = heavy.first()?;
     let more = other_cases_in_words(heavy.len(), "another foot, too", "other feet, too");
-    let [foot_kg, kg] = [*foot_kg, *kg].map(three_significant);
-    let text = format!("{} weighs {foot_kg} kg, more than {} ({kg} kg){more}", shown(foot), shown(above));
-    let body = all.get(foot)?;
+    let heavier = heavy.first().copied().or_else(|| find_heavier_than_counterpart(sides.model, kg));
+    let (heavy_body, heavy_kg, (kg, other)) = heavier?;
+    let [heavy_kg, kg] = [heavy_kg, kg].map(three_significant);
+    let text =
+        format!("{} weighs {heavy_kg} kg, more than {} ({kg} kg){more}", shown(heavy_body), shown(other));
+    let body = all.get(heavy_body)?;
     let position = sides.model.file(body.file).position(body.mass.offset);
     Some(Finding::at(&HEAVY_FOOT, position, text).with_place(&body.path))
 }

@@ -223,6 +223,20 @@ fn spheres_without_a_counterpart_are_named() {
 }
 
 #[test]
+fn a_bone_that_is_far_heavier_than_its_counterpart_is_named() {
+    let femur = ("Body", "femur_r");
+    let heavy = with_edited_element(HUMAN, femur, "<mass>8<", "<mass>80<");
+    let found = message_of_finding(&heavy, FindingCode::HeavyFoot);
+    assert_eq!(found, "femur_r weighs 80 kg, more than femur_l (8 kg)");
+    // Three times the counterpart, or a small part of the body, may be a prosthesis on the other side.
+    let shank = with_edited_element(HUMAN, ("Body", "tibia_r"), "<mass>3.5<", "<mass>12<");
+    for text in [with_edited_element(HUMAN, femur, "<mass>8<", "<mass>24<"), shank] {
+        let model = Model::parse(text).unwrap();
+        assert!(model_findings(&model).iter().all(|one| one.code() != FindingCode::HeavyFoot));
+    }
+}
+
+#[test]
 fn a_contact_that_is_switched_off_on_one_side_is_named() {
     let start = "<socket_sphere>";
     let off = format!("<appliesForce>false</appliesForce>{start}");

@@ -3,7 +3,7 @@
 use osim_inspect::Sign;
 use osim_model::{FindingCode, Severity};
 
-use crate::checks::{check_text, find};
+use crate::checks::{check_text, find, has};
 
 /// A human with the contacts of Falisse et al. (2022), six forces on each side.
 const HUMAN: &str = include_str!("../../../../fixtures/check/known_contacts.osim");
@@ -43,5 +43,25 @@ fn figures_under_a_gravity_that_is_wrong_are_not_judged() {
     let severe = found.findings.iter().filter(|one| one.severity > Severity::Remark);
     assert_eq!(severe.map(|one| one.code()).collect::<Vec<_>>(), [FindingCode::OddGravity]);
     let unknown = found.verdicts.iter().filter(|verdict| verdict.sign == Sign::Unknown);
-    assert_eq!(unknown.map(|verdict| verdict.on.as_str()).collect::<Vec<_>>(), ["standing", "mass", "solver"]);
+    let unknown: Vec<&str> = unknown.map(|verdict| verdict.on.as_str()).collect();
+    assert_eq!(unknown, ["standing", "mass", "solver"]);
+}
+
+/// Numbers that suit the rest of the model would be wrong once the fault is gone: a stiffness in the place of a friction, and one of three
+/// radii of a force, which no single value puts right.
+#[test]
+fn no_command_hides_the_fault() {
+    const FEET: &str = include_str!("../../../../fixtures/scale_tool/generic_hunt_crossley.osim");
+    let exchanged = HUMAN.replace("<stiffness>1000000<", "<stiffness>0.8<");
+    let exchanged = exchanged.replace("<static_friction>0.8<", "<static_friction>1000000<");
+    let (before, heel) = FEET.split_at(FEET.find("<ContactSphere name=\"heel_r\">").unwrap());
+    let larger = format!("{before}{}", heel.replacen(">0.032000000000000001<", ">0.062<", 1));
+    for (text, codes) in [
+        (exchanged, [FindingCode::LargeFriction, FindingCode::SunkIn]),
+        (larger, [FindingCode::LeftRightDiffer, FindingCode::UnevenBottoms]),
+    ] {
+        let found = check_text(&text);
+        assert!(codes.into_iter().all(|code| has(&found, code)), "{:?}", found.findings);
+        assert!(found.steps.is_empty(), "{:?}", found.steps);
+    }
 }
