@@ -132,8 +132,10 @@ impl SpherePlacements {
             placed_spheres(model, &scaled, original, &factors, radius_ratio).map_err(in_words)
         };
         match placed() {
-            Ok((spheres, _, _)) if spheres.is_empty() => {
-                unknown("".into()).of_wrong_model("it has no sphere of the same name".into())
+            Ok((spheres, on_other_bodies, _)) if spheres.is_empty() => {
+                let first = on_other_bodies.into_iter().next();
+                let why = first.unwrap_or_else(|| "it has no sphere of the same name".into());
+                unknown("".into()).of_wrong_model(why)
             }
             Ok((spheres, unmatched, suits_level)) => {
                 Self { spheres, suits_level, unmatched, unknown: None, ..unknown("".into()) }

@@ -210,6 +210,17 @@ fn a_model_that_cannot_be_compared_says_why() {
     let found = check_text(SCALED_MODEL, Some(RIGHT_PLACES));
     let why = found.findings.iter().find(|one| one.code() == FindingCode::SpheresNotCompared).unwrap();
     assert!(why.message.to_string().contains("no sphere of the same name"), "{}", why.message);
+    // Spheres of the same names may all be on other bodies.
+    let on_shanks = ["r", "l"].iter().fold(SCALED_MODEL.to_owned(), |text, side| {
+        let frames = [format!("calcn_{side}/calcn_{side}_ball"), format!("calcn_{side}"), format!("toes_{side}")];
+        let frame = |part: &str| format!("<socket_frame>/bodyset/{part}<");
+        let shank = frame(&format!("tibia_{side}"));
+        frames.iter().fold(text, |text, part| text.replace(&frame(part), &shank))
+    });
+    let found = check_text(&on_shanks, Some(GENERIC_MODEL));
+    let why = found.findings.iter().find(|one| one.code() == FindingCode::SpheresNotCompared).unwrap();
+    let expected = "is on tibia_r, and on calcn_r in the model that was scaled";
+    assert!(why.message.to_string().contains(expected), "{}", why.message);
     // Also if the bones are others, and if the other model has no spheres.
     let other_legs = RIGHT_PLACES.replace("0 -0.9 0.1<", "0.3 -0.9 0.1<").replace("\"mtp_l\"", "\"ball_l\"");
     let (bones, _) = other_legs.split_once("<ForceSet").unwrap();
