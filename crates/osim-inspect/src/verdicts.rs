@@ -8,7 +8,7 @@ use osim_model::feet::{ContactPlane, DefaultPose};
 use osim_model::messages::{
     Phrase, counted, four_significant, named, phrase, readable, shown, three_significant,
 };
-use osim_model::{FindingCode, MassSource, Model, Severity, VerdictTopic};
+use osim_model::{FindingCode, MassSource, Model, Severity, Side, VerdictTopic};
 use serde::{Serialize, Serializer};
 
 use crate::inspection::{Inspection, StandingBody, step_in_words};
@@ -176,7 +176,10 @@ fn judge_topic(on: VerdictTopic, inspected: &InspectedModel<'_>, findings: &[Fin
     let is_on_contacts =
         matches!(on, VerdictTopic::Mass | VerdictTopic::Sides | VerdictTopic::Sizes | VerdictTopic::Solver);
     let is_on_sides = on == VerdictTopic::Sides;
-    let may_differ = || codes_of_effects(findings).contains(&FindingCode::LeftRightDiffer);
+    let may_differ = || {
+        codes_of_effects(findings).contains(&FindingCode::LeftRightDiffer)
+            || findings.iter().any(is_about_places_on_one_side)
+    };
     let reasons = [
         (has_finding(FindingCode::BareModel), "there are no contacts"),
         (is_of_other_class, "contacts of this class are not judged"),
@@ -198,6 +201,15 @@ fn judge_topic(on: VerdictTopic, inspected: &InspectedModel<'_>, findings: &[Fin
         VerdictTopic::Recording => Err("no recording is given".into()),
     };
     Verdict::without_findings(on, right)
+}
+
+/// Whether a warning is about places of spheres of one side alone, so that nothing else says that the sides differ.
+fn is_about_places_on_one_side(found: &FindingWithRemedy) -> bool {
+    let is_about_places = matches!(found.code(), FindingCode::OddPlace | FindingCode::SpheresMisplaced);
+    let has_sphere_on = |side| found.spheres.iter().any(|name| Side::of_name(name) == Some(side));
+    is_about_places
+        && found.severity > Severity::Remark
+        && has_sphere_on(Side::Left) != has_sphere_on(Side::Right)
 }
 
 /// Describes the plane that most spheres press on: its tilt and the body that carries it.

@@ -13,11 +13,11 @@ use FindingCode::*;
 const EFFECTS: [(&[FindingCode], &[FindingCode]); 7] = [
     (&[MasslessBody, HeavyFoot], &[ContactsOfAnotherMass]),
     (&[SphereInTwoForces, DoubledSpheres], &[Floats, ForceBeforeContact]),
-    (&[DoubledSpheres], &[LeftRightMissing]),
     (&[FootSphereOnGround], &[SunkIn]),
     (&[SphereOfOtherSide], &[SphereInTwoForces, LeftRightMissing]),
     (&[LeftRightSwapped], &[SpheresMisplaced]),
     (&[OddRadius], &[UnevenBottoms]),
+    (&[OddPlace, SpheresMisplaced], &[UnevenBottoms]),
 ];
 
 /// What follows from a number of a contact that OpenSim reads differently from what is written.
@@ -56,7 +56,8 @@ fn effects_anywhere(findings: &[FindingWithRemedy]) -> BTreeSet<FindingCode> {
 
 /// The codes of warnings and errors that may be left out beside `findings`, because they follow from these.
 pub fn codes_of_effects(findings: &[FindingWithRemedy]) -> BTreeSet<FindingCode> {
-    let of_elements: [(&[FindingCode], &[FindingCode]); 3] = [
+    let of_elements: [(&[FindingCode], &[FindingCode]); 4] = [
+        (&[OddPlace, SpheresMisplaced], &[LeftRightPlaces, OddPlace, SpheresMisplaced]),
         (&[OddNumber], &EFFECTS_OF_MISREAD_NUMBERS),
         (&[OddRadius], &EFFECTS_OF_ODD_RADIUS),
         (&CAUSES_OF_UNLIKE_SIDES, &[LeftRightDiffer]),
@@ -74,10 +75,17 @@ pub fn codes_of_effects(findings: &[FindingWithRemedy]) -> BTreeSet<FindingCode>
 pub(super) fn without_effects(model: &Model, mut findings: Vec<FindingWithRemedy>) -> Vec<FindingWithRemedy> {
     let anywhere = effects_anywhere(&findings);
     let misreads_contacts = !forces_of(model, &with_codes(&findings, &[OddNumber])).is_empty();
-    let odd_radii = with_codes(&findings, &[OddRadius]).into_iter().flat_map(|one| one.spheres.clone());
-    let spheres_of_odd_radius: BTreeSet<String> = odd_radii.collect();
+    let spheres_with = |codes: &[FindingCode], are_compared: bool| -> BTreeSet<String> {
+        // Places that were compared with those of another model have a sentence for each sphere.
+        let all = with_codes(&findings, codes).into_iter();
+        let all = all.filter(|one| !are_compared || !one.details.is_empty());
+        all.flat_map(|one| one.spheres.clone()).collect()
+    };
+    let (odd_radii, odd_places) = (spheres_with(&[OddRadius], false), spheres_with(&[OddPlace], false));
+    let compared = spheres_with(&[SpheresMisplaced], true);
+    let misplaced = spheres_with(&[OddPlace, SpheresMisplaced], false);
     let wrong_forces = forces_of(model, &with_codes(&findings, &CAUSES_OF_UNLIKE_SIDES));
-    let sides = (!wrong_forces.is_empty()).then(|| BothSides::of(model));
+    let sides = (!wrong_forces.is_empty() || !misplaced.is_empty()).then(|| BothSides::of(model));
     let has_wrong_force = |path: &String| {
         let Some((sides, left)) = sides.as_ref().and_then(|sides| Some((sides, sides.force(path)?))) else {
             return false;
@@ -85,15 +93,25 @@ pub(super) fn without_effects(model: &Model, mut findings: Vec<FindingWithRemedy
         let right = sides.right_counterpart(left);
         wrong_forces.contains(&left.path) || right.is_some_and(|right| wrong_forces.contains(&right.path))
     };
+    let is_pair_misplaced = |left: &String| {
+        let mut pairs = sides.iter().flat_map(|sides| &sides.pairs);
+        let pair = pairs.find(|pair| pair.left.sphere.name == *left);
+        misplaced.contains(left) || pair.is_some_and(|pair| misplaced.contains(&pair.right.sphere.name))
+    };
     findings.retain(|one| {
         let code = one.code();
+        let are_in = |spheres: &BTreeSet<String>| {
+            !one.spheres.is_empty() && one.spheres.iter().all(|sphere| spheres.contains(sphere))
+        };
+        let is_of_elements = match code {
+            LeftRightDiffer => one.paths().all(has_wrong_force),
+            LeftRightPlaces => !one.spheres.is_empty() && one.spheres.iter().all(is_pair_misplaced),
+            OddPlace => are_in(&compared),
+            SpheresMisplaced => one.details.is_empty() && are_in(&odd_places),
+            _ => EFFECTS_OF_ODD_RADIUS.contains(&code) && are_in(&odd_radii),
+        };
         let is_of_number = misreads_contacts && EFFECTS_OF_MISREAD_NUMBERS.contains(&code);
-        let is_of_radius = EFFECTS_OF_ODD_RADIUS.contains(&code)
-            && !one.spheres.is_empty()
-            && one.spheres.iter().all(|sphere| spheres_of_odd_radius.contains(sphere));
-        let is_of_sides = code == LeftRightDiffer && one.paths().all(has_wrong_force);
-        let is_effect = anywhere.contains(&code) || is_of_number || is_of_radius || is_of_sides;
-        one.severity == Severity::Remark || !is_effect
+        one.severity == Severity::Remark || !(anywhere.contains(&code) || is_of_number || is_of_elements)
     });
     findings
 }

@@ -17,11 +17,12 @@ fn edited(start: &str, old: &str, new: &str) -> String {
 
 #[test]
 fn each_fault_is_said_once() {
-    use FindingCode::{OddNumber, OddRadius, OutOfDomain, SphereOfOtherSide};
+    use FindingCode::{OddNumber, OddRadius, OutOfDomain, SphereOfOtherSide, SpheresMisplaced};
     let sphere = "ContactSphere name=\"s1_r\"";
     for (text, code, place) in [
         (edited(sphere, ">0.032<", ">0,32<"), OddNumber, "/contactgeometryset/s1_r"),
         (edited(sphere, "<location>", "<location>["), OddNumber, "/contactgeometryset/s1_r"),
+        (edited(sphere, "0.00190115 ", "1.90115 "), SpheresMisplaced, "/contactgeometryset/s1_r"),
         (edited(sphere, ">0.032<", ">0.32<"), OddRadius, "/contactgeometryset/s1_r"),
         (edited("\"contact_s1_r\"", ">1000000<", ">0<"), OutOfDomain, "/forceset/contact_s1_r"),
         (edited("\"contact_s1_l\"", "/s1_l<", "/s1_r<"), SphereOfOtherSide, "/forceset/contact_s1_l"),

@@ -212,7 +212,8 @@ fn a_model_that_cannot_be_compared_says_why() {
     assert!(why.message.to_string().contains("no sphere of the same name"), "{}", why.message);
     // Spheres of the same names may all be on other bodies.
     let on_shanks = ["r", "l"].iter().fold(SCALED_MODEL.to_owned(), |text, side| {
-        let frames = [format!("calcn_{side}/calcn_{side}_ball"), format!("calcn_{side}"), format!("toes_{side}")];
+        let (calcaneus, toes) = (format!("calcn_{side}"), format!("toes_{side}"));
+        let frames = [format!("{calcaneus}/{calcaneus}_ball"), calcaneus, toes];
         let frame = |part: &str| format!("<socket_frame>/bodyset/{part}<");
         let shank = frame(&format!("tibia_{side}"));
         frames.iter().fold(text, |text, part| text.replace(&frame(part), &shank))
