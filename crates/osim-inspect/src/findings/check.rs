@@ -55,21 +55,15 @@ fn collect_findings(
     other_findings: &[Finding],
     changeable: ChangeableValues,
 ) -> Vec<FindingWithRemedy> {
-    let shares_a_modulus = |finding: &Finding| {
-        matches!(finding.code(), FindingCode::MixedRadii | FindingCode::SeveralParameterSets)
-    };
+    use FindingCode::*;
+    let shares_a_modulus = |finding: &Finding| matches!(finding.code(), MixedRadii | SeveralParameterSets);
     let chosen = options.selection.apply(model).map(|selected| selected.forces).unwrap_or_default();
     let one_modulus = model.remarks_on(&chosen).iter().any(shares_a_modulus);
     let mut remedies = Remedies::new(inspected, one_modulus, changeable, options);
     // A command that makes contacts right for what is wrong elsewhere would hide the fault.
     let has_finding = |code| model_findings(model).iter().any(|finding| finding.code() == code);
     let has_loose_body = has_finding(FindingCode::BodyWithoutJoint);
-    let causes = [
-        FindingCode::MasslessBody,
-        FindingCode::HeavyFoot,
-        FindingCode::MisplacedObject,
-        FindingCode::FootSphereOnGround,
-    ];
+    let causes = [MasslessBody, HeavyFoot, MisplacedObject, FootSphereOnGround];
     let floors_of_model = Floors::of(model);
     let odd_gravity = floors::find_odd_gravity(model, &floors_of_model);
     let is_gravity_odd = odd_gravity.is_some_and(|finding| finding.severity > Severity::Remark);
@@ -92,7 +86,9 @@ fn collect_findings(
     let in_other_units = is_gravity_odd || floors::find_too_large_gravity(model).is_some();
     let another_gravity = floors::find_gravity_sources_disagree(model, options).filter(|_| !in_other_units);
     let is_unsettled = mismatch.is_some() || another_mass.is_some() || another_gravity.is_some();
-    if is_unsettled || places.are_wrong() || are_spheres_odd(model) {
+    // Figures of a sphere in millimetres, or of a copied sphere, have no meaning.
+    let of_odd_spheres = [OddRadius, OddPlace, CrowdedSpheres, DoubledSpheres];
+    if is_unsettled || places.are_wrong() || of_odd_spheres.into_iter().any(has_finding) {
         remedies = remedies.none_yet();
     }
     let mut findings = findings_about_model(model, inspected, &floors_of_model, &remedies);
@@ -115,9 +111,7 @@ fn collect_findings(
     if has_gravity && !has_finding(FindingCode::UnknownName) {
         findings.extend(apply_figure_rules(&FigureCheck::new(inspected, &remedies)));
     }
-    let of_one_sphere =
-        [FindingCode::LeftRightDiffer, FindingCode::LeftRightPlaces, FindingCode::SpheresMisplaced];
-    if of_one_sphere.into_iter().any(has_finding) {
+    if [LeftRightDiffer, LeftRightPlaces, SpheresMisplaced].into_iter().any(has_finding) {
         // To make feet level would hide the wrong place or radius.
         let makes_level = |remedy: &mut Request| matches!(remedy, Request::Set(set) if set.level);
         findings.iter_mut().for_each(|one| drop(one.remedy.take_if(makes_level)));
@@ -186,13 +180,6 @@ fn are_bodies_of_another_mass(model: &Model, inspected: &Inspection, options: &I
         [MassSource::Note, MassSource::ContactsMass].iter().any(|one| one.as_str() == made_for.source);
     let bodies_kg = options.masses.bodies_kg(model).filter(|_| is_meant);
     bodies_kg.is_some_and(|bodies_kg| !are_equal_masses(made_for.value, bodies_kg))
-}
-
-/// Whether spheres have to be corrected first. Figures of a sphere in millimetres, or of a copied sphere, have no meaning.
-fn are_spheres_odd(model: &Model) -> bool {
-    use FindingCode::{CrowdedSpheres, DoubledSpheres, OddPlace, OddRadius};
-    let codes = [OddRadius, OddPlace, CrowdedSpheres, DoubledSpheres];
-    model_findings(model).iter().any(|finding| codes.contains(&finding.code()))
 }
 
 /// Whether a contact has more dissipation, s/m, or friction than stiffness, N/m²: one was written in the place of the other. A stiffness

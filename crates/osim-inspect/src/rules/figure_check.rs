@@ -77,13 +77,16 @@ impl<'l> FigureCheck<'l> {
         text: &str,
         affected: &AffectedSpheres<'_>,
     ) -> Finding {
-        let (finding, sphere) = (self.finding_at_sphere(rule, text, affected), affected.worst);
-        let presses = |force: &&InspectedForce| {
-            sphere.forces.contains(&force.name) && force.spheres.contains(&sphere.sphere)
-        };
-        match self.inspected.forces.iter().find(presses) {
+        let finding = self.finding_at_sphere(rule, text, affected);
+        match self.force_of(affected.worst) {
             Some(force) => finding.with_place(&force.path).with_position(Some(force.position)),
             None => finding,
         }
+    }
+
+    /// The first force that presses the sphere.
+    pub(super) fn force_of(&self, sphere: &SphereFigures) -> Option<&'l InspectedForce> {
+        let mut forces = self.inspected.forces.iter();
+        forces.find(|force| sphere.forces.contains(&force.name) && force.spheres.contains(&sphere.sphere))
     }
 }

@@ -4,7 +4,7 @@ use contact_scaling::limits::{
     CONSTANT_INDENTATION, RESTITUTION, SUGGESTED_TRANSITION_WIDTH, TOUCHING_SHARE, TRANSITION_WIDTH,
 };
 use osim_model::messages::four_significant;
-use osim_model::{Example, Repair};
+use osim_model::{Example, Property, Repair};
 use osim_requests::options::WantedOptions;
 use osim_requests::{ConstantIndentation, Positive, Request};
 
@@ -93,8 +93,8 @@ pub(super) fn find_large_constant_indentation(check: &FigureCheck<'_>) -> Option
 }
 
 rule! { pub(super) WIDE_TRANSITION: WideTransition, Warning, Solver;
-    what: "Smoothing switches contact on over more of the radius than in published models.",
-    why: "hertz_smoothing is an inverse length: OpenSim's default of 300 1/m, made for spheres of 32 mm, spreads the onset of contact over 10 mm. On smaller spheres that is a large part of the radius, half of it before they touch (C.7).",
+    what: "Smoothing switches contact on over more of the radius than in published models, or takes a part of the force of a sphere at rest.",
+    why: "hertz_smoothing is an inverse length: OpenSim's default of 300 1/m, made for spheres of 32 mm, spreads the onset of contact over 10 mm. On smaller spheres that is a large part of the radius, half of it before they touch (C.7). At rest, OpenSim multiplies the force by (1 + tanh(2 bv/(3 α)))/2 with hunt_crossley_smoothing bv and dissipation α.",
     advice: "Make hertz_smoothing larger, so that contact switches on over {suggested_width} of the radius",
     repair: Repair::Command("designs hertz_smoothing for a width within the limit"),
     example: Example::ElementText { tag: "hertz_smoothing", good: "310", bad: "100" },
@@ -109,6 +109,26 @@ pub(super) fn find_wide_transition(check: &FigureCheck<'_>) -> Option<FindingWit
         check.finding_at_force(&WIDE_TRANSITION, &text, &affected),
         narrow_transition(check.remedies),
     ))
+}
+
+/// A sphere at rest presses with at least this part of its force; with published numbers it is 1.
+const LEAST_FORCE_AT_REST: f64 = 0.9;
+
+/// Finds spheres of whose force the smoothing over speeds takes a part at rest, so that they sink in deeper.
+pub(super) fn find_weak_at_rest(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> {
+    let affected = check.spheres_with(|sphere| {
+        let parameters = &check.force_of(sphere)?.parameters;
+        let smoothing = parameters.get(Property::HuntCrossleySmoothing)?;
+        let at_rest = 2.0 * smoothing / (3.0 * parameters.get(Property::Dissipation)?);
+        Some(0.5 - 0.5 * libm::tanh(at_rest)).filter(|lost| *lost > 1.0 - LEAST_FORCE_AT_REST)
+    })?;
+    let text = format!(
+        "a sphere at rest presses with {} of its force, expected {LEAST_FORCE_AT_REST} or more: hunt_crossley_smoothing is too small for \
+         the dissipation",
+        four_significant(1.0 - affected.largest)
+    );
+    let advice = "Make hunt_crossley_smoothing larger, until a sphere at rest presses with its whole force";
+    Some(check.finding_at_force(&WIDE_TRANSITION, &text, &affected).with_advice(advice).into())
 }
 
 /// A remedy that gives the contact the suggested transition width.
