@@ -99,12 +99,16 @@ pub(super) struct UnevenLimb<'i> {
 const LEAST_LEAN_RAD: f64 = 0.01;
 
 impl<'i> UnevenLimb<'i> {
-    /// The limb whose bottoms differ most in height.
+    /// The limb whose bottoms differ most in height, among those that stand.
     fn worst(check: &FigureCheck<'i>) -> Option<Self> {
         let bottoms = bottoms_by_path(check);
         let limbs = check.inspected.figures.limbs.iter().filter(|limb| limb.limb.is_some());
-        let uneven = limbs.filter_map(|limb| Self::of(&bottoms, limb));
-        uneven.reduce(|a, b| if b.difference_radii > a.difference_radii { b } else { a })
+        let uneven: Vec<Self> = limbs.filter_map(|limb| Self::of(&bottoms, limb)).collect();
+        let lowest_sole_m = uneven.iter().map(|one| one.highest.height_m).fold(f64::INFINITY, f64::min);
+        // A foot that is raised above the whole of another one does not stand.
+        let stands = |one: &Self| one.lowest.height_m - lowest_sole_m <= one.lowest.radius_m;
+        let standing = uneven.into_iter().filter(stands);
+        standing.reduce(|a, b| if b.difference_radii > a.difference_radii { b } else { a })
     }
 
     fn differs_by_more_than(&self, radii: f64) -> bool {

@@ -136,9 +136,12 @@ fn with_tilted_legs(text: &str, angle_rad: f64) -> String {
 fn feet_that_are_level_with_coordinates_at_0_are_uneven_by_their_pose_alone() {
     let level = UNEVEN_MODEL.replace(" -0.03 ", " -0.01 ");
     let heels_high = level.replace("<location>0.00190115 -0.01 ", "<location>0.00190115 0.29 ");
-    for angle_rad in [0.6, 1.4, std::f64::consts::FRAC_PI_2] {
+    for (angle_rad, floor) in
+        [(0.6, "-1.57"), (1.4, "-1.57"), (std::f64::consts::FRAC_PI_2, "-1.57"), (1.4, "-1.37")]
+    {
         for (text, is_accused) in [(&level, false), (&heels_high, true)] {
-            let text = with_tilted_legs(text, angle_rad);
+            // The last floor slopes by 0.2 rad.
+            let text = with_tilted_legs(text, angle_rad).replace("-1.5707963267948966", floor);
             let found = check_with(MODEL_NAME, &text, &InspectOptions::default());
             assert_eq!(has(&found, FindingCode::UnevenBottoms), is_accused, "{:?}", found.findings);
             let of_depth = found.findings.iter().filter(|one| one.code() == FindingCode::SunkIn);
@@ -148,6 +151,19 @@ fn feet_that_are_level_with_coordinates_at_0_are_uneven_by_their_pose_alone() {
     let found = check_with(MODEL_NAME, &with_tilted_legs(&level, 1.4), &InspectOptions::default());
     let text = find(&found, FindingCode::UnlevelFoot).message.to_string();
     assert!(text.ends_with("; with all coordinates at 0 by 1.8 mm"), "{text}");
+}
+
+/// As the left leg of OpenSim's Toy Landing model, which its joints fold back.
+#[test]
+fn a_foot_that_is_raised_above_the_other_one_may_be_uneven() {
+    let level = UNEVEN_MODEL.replace(" -0.03 ", " -0.01 ");
+    let (before, after) = level.split_once("<translation>0 -0.9 -0.1</translation>").unwrap();
+    let turned = after.replacen("<orientation>0 0 0<", "<orientation>0 0 2<", 1);
+    for (height, is_accused) in [("-0.9", true), ("-0.5", false)] {
+        let text = format!("{before}<translation>0 {height} -0.1</translation>{turned}");
+        let found = check_with(MODEL_NAME, &text, &InspectOptions::default());
+        assert_eq!(has(&found, FindingCode::UnevenBottoms), is_accused, "{:?}", found.findings);
+    }
 }
 
 /// A foot of 0.2 m that is tilted by 0.3 rad explains 60 mm, not a heel that is 300 mm higher than the others.

@@ -25,8 +25,8 @@ pub struct SphereOverFloor {
     pub tilt_rad: f64,
     /// The centre of the sphere in ground, m.
     pub centre_m: DVec3,
-    /// Height of the sphere's bottom with all coordinates at 0, from the origin of ground along the normal, m; `None` if that pose is not
-    /// known.
+    /// Height of the sphere's bottom with all coordinates at 0, from the origin of ground along its axis nearest to the normal, m: there
+    /// feet are level on a level floor. `None` if that pose is not known.
     pub height_at_zero_m: Option<f64>,
 }
 
@@ -94,9 +94,13 @@ pub(super) fn tilt(model: &Model, pose: &DefaultPose, body: &str, normal: DVec3)
     let up = pose.direction_in(body, normal)?;
     let before_lying = pose.before_lying(model, normal);
     let flat = before_lying.and_then(|pose| pose.direction_in(body, normal).ok()).unwrap_or(up);
-    let nearest = flat.to_array().map(f64::abs).into_iter().fold(0.0, f64::max);
-    let axis = DVec3::from(flat.to_array().map(|part| if part.abs() == nearest { part } else { 0.0 }));
-    Ok(angle_between(axis, up))
+    Ok(angle_between(nearest_axis(flat), up))
+}
+
+/// The axis that is nearest to `direction`.
+pub(super) fn nearest_axis(direction: DVec3) -> DVec3 {
+    let nearest = direction.to_array().map(f64::abs).into_iter().fold(0.0, f64::max);
+    DVec3::from(direction.to_array().map(|part| if part.abs() == nearest { part.signum() } else { 0.0 }))
 }
 
 /// The centre of a sphere in ground, and its radius; `None` if one of these numbers cannot be read.

@@ -154,8 +154,8 @@ impl<'j> StandingTree<'_, 'j> {
             let centre = heights_over_floor::centre_and_radius(self.model, sphere, pose)?;
             let at_zero = DefaultPose::at_zero(self.model);
             let at_zero = heights_over_floor::centre_and_radius(self.model, sphere, at_zero).ok().flatten();
-            let height = |((centre, radius), normal): ((DVec3, f64), DVec3)| centre.dot(normal) - radius;
-            let height_at_zero_m = at_zero.zip(normal).map(height);
+            let height = |((centre, radius), axis): ((DVec3, f64), DVec3)| centre.dot(axis) - radius;
+            let height_at_zero_m = at_zero.zip(normal.map(heights_over_floor::nearest_axis)).map(height);
             let over_floor = |(gap_m, (centre_m, _))| SphereOverFloor {
                 sphere,
                 gap_m,
