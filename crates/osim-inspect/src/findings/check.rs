@@ -117,8 +117,9 @@ fn collect_findings(
         findings.iter_mut().for_each(|one| drop(one.remedy.take_if(makes_level)));
     }
     if options.selection.apply(model).is_err_and(|fault| matches!(fault.kind, FaultKind::NoContacts { .. })) {
-        // A model without contacts needs no number of spheres.
-        findings.retain(|finding| finding.code() != FindingCode::CountUnknown);
+        // A model without contacts needs neither a number of spheres nor a mass.
+        let is_needed = |code| ![FindingCode::CountUnknown, FindingCode::MassUnknown].contains(&code);
+        findings.retain(|finding| is_needed(finding.code()));
     }
     if let Some(bare) = contacts::find_bare_model(options, model) {
         let causes = [FindingCode::IgnoredContacts, FindingCode::FootSphereOnGround];

@@ -3,7 +3,7 @@
 use osim_model::messages::{Input, Phrase, counted, four_significant, phrase, readable, three_significant};
 use osim_model::{
     Example, Fault, FaultKind, Finding, MassRequest, MassSource, Model, Pattern, Repair, Selection, Severity,
-    are_equal_masses,
+    Sphere, are_equal_masses,
 };
 use osim_requests::options::{MassOptions, ScalingOptions};
 use osim_requests::{Kilograms, Request, RescaleRequest};
@@ -27,7 +27,16 @@ pub(crate) fn find_bare_model(options: &InspectOptions, model: &Model) -> Option
     // Contacts of another class have a finding of their own.
     let is_bare = matches!(fault.kind, FaultKind::NoContacts { replaces: false, .. });
     is_bare.then(|| {
-        let moving = model.spheres().iter().filter(|one| one.body.is_some() && model.forces().is_empty());
+        let tree = model.document().tree();
+        let wrapped = tree.elements().filter(|&id| tree.name(id) == "socket_contact_geometry");
+        let wrapped: Vec<_> = wrapped.map(|id| tree.text_of(id)).collect();
+        let is_left = |one: &&Sphere| {
+            // A path of a muscle can wrap around a sphere.
+            let is_wrapped =
+                wrapped.iter().any(|path| path.trim().rsplit('/').next() == Some(one.name.as_str()));
+            one.body.is_some() && model.forces().is_empty() && !is_wrapped
+        };
+        let moving = model.spheres().iter().filter(is_left);
         let text = format!(
             "no force presses with {}: the model has no contacts",
             counted(moving.clone().count(), "sphere")

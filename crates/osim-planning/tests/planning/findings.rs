@@ -325,8 +325,16 @@ fn spheres_that_no_force_presses_with_are_a_warning() {
     let found = check_text(&no_force);
     let bare = find(&found, FindingCode::BareModel);
     assert_eq!((bare.severity, bare.spheres.is_empty()), (Severity::Warning, false));
-    let found = check_text(&without(&no_force, "ContactGeometrySet"));
-    assert_eq!(find(&found, FindingCode::BareModel).severity, Severity::Remark);
+    // As in OpenSim's Scholz2015GeometryPathExample, whose muscle wraps around its spheres.
+    let socket =
+        |name| format!("<socket_contact_geometry>/contactgeometryset/{name}</socket_contact_geometry>");
+    let obstacles: String = bare.spheres.iter().map(socket).collect();
+    let path = format!("<Scholz2015GeometryPath>{obstacles}</Scholz2015GeometryPath>");
+    let path = format!("<ForceSet><objects><PathSpring>{path}</PathSpring></objects></ForceSet>");
+    let wrapped = no_force.replace("<ContactGeometrySet", &format!("{path}<ContactGeometrySet"));
+    for text in [wrapped, without(&no_force, "ContactGeometrySet")] {
+        assert_eq!(find(&check_text(&text), FindingCode::BareModel).severity, Severity::Remark);
+    }
 }
 
 #[test]
