@@ -427,6 +427,17 @@ mod tests {
         assert_eq!(scaled.severity(FindingCode::SunkIn, Some(620.0)), Some(Severity::Remark));
     }
 
+    /// osim-rl's toes of 25 mm carry a third of 75 kg each: 1.41 R by (1).
+    #[test]
+    fn the_models_of_osim_rl_are_as_deep_as_published() {
+        for (name, mass_kg) in [("osim-rl-2017", 75.1646), ("osim-rl-prosthesis", 72.17025)] {
+            let entry = entries().iter().find(|entry| entry.name == name).unwrap();
+            let known = KnownContacts::new(entry, mass_kg);
+            assert_eq!(known.severity(FindingCode::SunkIn, Some(mass_kg)), Some(Severity::Remark), "{name}");
+            assert_eq!(known.severity(FindingCode::SunkIn, Some(2.0 * mass_kg)), None, "{name}");
+        }
+    }
+
     #[test]
     fn a_published_finding_stays_a_remark_near_the_published_numbers() {
         let entry = entries().iter().find(|entry| entry.name == "dhondt2024").unwrap();
