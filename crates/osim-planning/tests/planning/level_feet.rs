@@ -153,6 +153,19 @@ fn feet_that_are_level_with_coordinates_at_0_are_uneven_by_their_pose_alone() {
     assert!(text.ends_with("; with all coordinates at 0 by 1.8 mm"), "{text}");
 }
 
+/// The heights of the bottoms shrink with the bodies, as the radii did before them.
+#[test]
+fn a_foot_whose_body_is_still_to_be_scaled_is_as_level_as_before() {
+    let text = UNEVEN_MODEL.replace(" -0.03 ", " -0.022 ");
+    // 13.8 mm are 0.43 R before, and 0.63 R afterwards.
+    let scaled = text_after(&text, &json!({"verb": "rescale", "target_mass": 20.0}));
+    for text in [&text, &scaled] {
+        let found = check_with(MODEL_NAME, text, &InspectOptions::default());
+        let has = |code| has(&found, code);
+        assert!(has(FindingCode::UnlevelFoot) && !has(FindingCode::UnevenBottoms), "{:?}", found.findings);
+    }
+}
+
 /// As the left leg of OpenSim's Toy Landing model, which its joints fold back.
 #[test]
 fn a_foot_that_is_raised_above_the_other_one_may_be_uneven() {
