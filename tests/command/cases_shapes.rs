@@ -73,8 +73,15 @@ fn contacts_of_another_class_are_named_and_not_doubled() {
     dir.write("table.csv", TABLE_OF_PLACES);
     let report = check_json(&dir, "elastic_foundation.osim");
     let found = finding_with_code(&report, "not-hertz")["message"].as_str().unwrap();
-    assert_eq!(found, "these feet have ElasticFoundationForce, which this program does not scale: mesh");
+    let stands = "the body stands on ElasticFoundationForce, which this program does not scale: ";
+    assert_eq!(found, format!("{stands}mesh"));
     assert!(!codes_of_severity(&report, "remark").contains("bare-model"));
+    // As in OpenSim's tugOfWar_model.osim.
+    let unnamed = dir.text("elastic_foundation.osim").replace("Force name=\"mesh\">", "Force>");
+    dir.write("unnamed.osim", unnamed);
+    let report = check_json(&dir, "unnamed.osim");
+    let found = finding_with_code(&report, "not-hertz")["message"].as_str().unwrap();
+    assert_eq!(found, format!("{stands}elasticfoundationforce"));
     let add = "add elastic_foundation.osim --contacts table.csv --from falisse2022 --yes implausible-mass -o out.osim";
     dir.run(add).failed().wrote_nothing().says(&["the model has contacts already: mesh", "--replace"]);
     dir.run(&format!("{add} --replace")).succeeded();

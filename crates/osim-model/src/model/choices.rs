@@ -130,18 +130,19 @@ impl Model {
         listed(&named, MOST_NAMES_SHOWN)
     }
 
-    /// The names of components, as [`Model::short_force_names`] has them.
+    /// The names of components, as [`Model::short_force_names`] has them; without a name, OpenSim calls them after their class.
     pub fn short_component_names(&self, components: &[ComponentId]) -> String {
-        let names: Vec<_> = components.iter().map(|&id| self.components().name(id)).collect();
-        listed(&names.iter().map(AsRef::as_ref).collect::<Vec<&str>>(), MOST_NAMES_SHOWN)
+        let paths: Vec<String> = components.iter().map(|&id| self.components().tree.path(id)).collect();
+        let names: Vec<&str> = paths.iter().filter_map(|path| path.rsplit('/').next()).collect();
+        listed(&names, MOST_NAMES_SHOWN)
     }
 
-    /// That the feet have contacts of another class, and of which; `None` if they have none.
+    /// That contacts of another class carry the body, and of which; `None` if there are none.
     pub fn describe_other_carriers(&self) -> Option<String> {
         let carriers = self.carriers_of_other_classes();
         let class = self.components().tag(*carriers.first()?);
         let names = self.short_component_names(&carriers);
-        Some(format!("these feet have {class}, which this program does not scale: {names}"))
+        Some(format!("the body stands on {class}, which this program does not scale: {names}"))
     }
 }
 
