@@ -41,11 +41,13 @@ pub(super) fn find_massless_body(model: &Model) -> Vec<Finding> {
 
 /// A default value may be outside its range by this much, rad or m, as in OpenSim.
 const RANGE_TOLERANCE: f64 = 1e-7;
+/// A default value that is outside by at most this part of the range is in the right unit.
+const SMALL_PART_OF_RANGE: f64 = 0.1;
 /// The range of a coordinate without one in the file, rad or m.
 const RANGE_OF_CLASS: [f64; 2] = [-10.0, 10.0];
 
 rule! { pub(super) DEFAULT_OUTSIDE_RANGE: DefaultOutsideRange, Warning, Standing;
-    what: "The default value of a coordinate is outside the coordinate's own range. It is an error if the coordinate is clamped.",
+    what: "The default value of a coordinate is outside the coordinate's own range. It is an error if the coordinate is clamped, else a remark if the value is outside by at most a tenth of the range.",
     why: "OpenSim reads radians and metres; mostly the value is in degrees or millimetres. It refuses a model with such a value in a clamped coordinate, and starts others from a pose that no joint has.",
     advice: "Write the value in radians or metres, or correct the range",
     repair: Repair::NotPossible("only you know the right pose"),
@@ -55,18 +57,23 @@ rule! { pub(super) DEFAULT_OUTSIDE_RANGE: DefaultOutsideRange, Warning, Standing
 /// One finding for all coordinates whose default value is outside their range.
 pub(super) fn find_default_outside_range(model: &Model) -> Vec<Finding> {
     let range_of = |coordinate: &JointCoordinate| coordinate.range.unwrap_or(RANGE_OF_CLASS);
-    let outside = |coordinate: &&JointCoordinate| {
+    let is_outside_by = |coordinate: &JointCoordinate, distance: f64| {
         let [least, most] = range_of(coordinate);
-        coordinate
-            .default
-            .is_some_and(|value| value < least - RANGE_TOLERANCE || value > most + RANGE_TOLERANCE)
+        coordinate.default.is_some_and(|value| value < least - distance || value > most + distance)
     };
-    let joints = model.joints().iter();
-    let found: Vec<_> = joints
-        .flat_map(|joint| joint.coordinates.iter().filter(outside).map(move |one| (joint, one)))
-        .collect();
-    // A value that OpenSim refuses first.
-    let Some((joint, worst)) = found.iter().find(|(_, one)| one.clamped).or(found.first()) else {
+    let is_far = |one: &JointCoordinate| {
+        let [least, most] = range_of(one);
+        is_outside_by(one, SMALL_PART_OF_RANGE * (most - least))
+    };
+    let severity_of = |one: &JointCoordinate| match one.clamped {
+        true => Severity::Error,
+        false if is_far(one) => Severity::Warning,
+        false => Severity::Remark,
+    };
+    let all = model.joints().iter().flat_map(|joint| joint.coordinates.iter().map(move |one| (joint, one)));
+    let found: Vec<_> = all.filter(|(_, one)| is_outside_by(one, RANGE_TOLERANCE)).collect();
+    // The first of the worst.
+    let Some((joint, worst)) = found.iter().rev().max_by_key(|(_, one)| severity_of(one)) else {
         return Vec::new();
     };
     let [least, most] = range_of(worst).map(three_significant);
@@ -79,8 +86,7 @@ pub(super) fn find_default_outside_range(model: &Model) -> Vec<Finding> {
     );
     let document = model.file(joint.file);
     let position = document.position_of(worst.element);
-    let severity = if worst.clamped { Severity::Error } else { Severity::Warning };
-    vec![Finding::at(&DEFAULT_OUTSIDE_RANGE, position, text).with_severity(severity)]
+    vec![Finding::at(&DEFAULT_OUTSIDE_RANGE, position, text).with_severity(severity_of(worst))]
 }
 
 rule! { pub(super) DEFAULT_STIFFNESS: DefaultStiffness, Error, Mass;

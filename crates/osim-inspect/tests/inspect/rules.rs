@@ -2,7 +2,7 @@
 //! `tests/oracle/test_words.py` compares with OpenSim again.
 
 use osim_inspect::model_findings;
-use osim_model::{Companion, Document, Model, Severity};
+use osim_model::{Companion, Document, FindingCode, Model, Severity};
 
 const FOOT: &str = include_str!("../../../osim-model/tests/data/one_foot.osim");
 
@@ -43,6 +43,23 @@ fn traps_are_named_with_their_codes() {
         assert!(codes.contains(&code), "{file}: {codes:?}");
     }
     assert_eq!(codes_of_fixture("left_out_smoothing"), [""; 0]);
+}
+
+/// As the knees of OpenSim's dynamic_walker_example_model, of -1.75 to 0 rad and set to 0.03 rad: no angle in degrees.
+#[test]
+fn a_default_value_that_is_a_little_outside_its_range_is_a_remark() {
+    let outside = include_str!("../../../../fixtures/check/default_outside_range.osim");
+    for (value, clamped, severity) in [
+        ("-1.2", "false", Severity::Remark),
+        ("-1.21", "false", Severity::Warning),
+        ("-1.2", "true", Severity::Error),
+    ] {
+        let value = format!("<clamped>{clamped}</clamped><default_value>{value}<");
+        let model = Model::parse(outside.replacen("<default_value>-10<", &value, 1)).unwrap();
+        let found = model_findings(&model);
+        let found = found.iter().find(|one| one.code() == FindingCode::DefaultOutsideRange).unwrap();
+        assert_eq!(found.severity, severity, "{value}");
+    }
 }
 
 #[test]
