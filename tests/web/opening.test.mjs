@@ -34,6 +34,20 @@ inChromium("a file and a folder of the disk are dropped on a page from the disk"
   await user.announced(/models? opened/);
 });
 
+inChromium("a file that is no model says what it is, and that its model is missing", async (user) => {
+  await user.drop(given("motion/walk.mot"));
+  await user.announced("1 file added (motion): now open the model.");
+  await user.drop({ name: "foot.png", bytes: Buffer.from("a picture") });
+  await user.announced("1 file added (unknown kind): now open the model.");
+});
+
+inChromium("of many models that cannot be opened the line says how many, and their rows say why", async (user) => {
+  const { bytes } = given("bad/truncated.osim");
+  await user.drop(...Array.from({ length: 20 }, (_, index) => ({ name: `m${index}.osim`, bytes })));
+  await user.announced("20 models could not be opened: their rows say why.");
+  assert.equal(await user.region("20 models").getByText(/the file ends inside a tag/).count(), 20);
+});
+
 inChromium("what comes while files are being opened waits for its turn", async (user) => {
   const broken = { name: "human.osim", bytes: Buffer.from("<OpenSimDocument>") };
   await Promise.all([user.drop(HUMAN), user.drop(broken), user.drop(HUMAN), user.drop(broken)]);

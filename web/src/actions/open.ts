@@ -2,7 +2,7 @@
 
 import type { Failure } from "../engine/types";
 import { counted } from "../dom/number";
-import { isUseful } from "../files/kinds";
+import { isUseful, KIND_TEXTS } from "../files/kinds";
 import { type GivenFile, readFile, type ReadFile } from "../files/read";
 import { expandArchives } from "../files/unzip";
 import { newModel, type OpenModel, uses } from "../state/model";
@@ -11,6 +11,9 @@ import { findOriginal, inspect, inspectAgain } from "./inspect";
 import { refreshPresets } from "./presets";
 import { putFile } from "./file_list";
 import { replacedFiles, restoreFiles, type SortedFiles, sortFiles } from "./replace";
+
+/** Most failures whose messages are said at once. */
+const MOST_SAID = 3;
 
 /** What to do with models: open them, or only keep their files for other models. */
 type Models = "open" | "keep";
@@ -98,17 +101,30 @@ function openedText(
   session: Session, { accepted, alreadyOpen, refused }: SortedFiles, opened: readonly number[], notAccepted: readonly Failure[], leftOut: number,
 ): string {
   const failures = opened.flatMap((id) => session.findModel(id)?.failure ?? []);
-  const messages = (all: readonly Failure[]) => all.map(({ message }) => message).join("; ");
   const openedCount = opened.length - failures.length;
   const rejected = [...refused, ...notAccepted];
   const parts = [
     openedCount > 0 && `${counted(openedCount, "model")} opened`,
-    opened.length === 0 && accepted.length > notAccepted.length && `${counted(accepted.length - notAccepted.length, "file")} added`,
-    failures.length > 0 && `${counted(failures.length, "model")} could not be opened: ${messages(failures)}`,
+    opened.length === 0 && accepted.length > notAccepted.length && addedText(session, accepted, accepted.length - notAccepted.length),
+    failures.length > 0 && `${counted(failures.length, "model")} could not be opened: ${failures.length > 1 ? "their rows say why" : messages(failures)}`,
     alreadyOpen.length > 0 && `open already: ${alreadyOpen.map(({ origin }) => origin).join(", ")}`,
     rejected.length > 0 && `${counted(rejected.length, "file")} not taken: ${messages(rejected)}`,
     leftOut > 0 && `${counted(leftOut, "file")} left out: the page has no use for files of these kinds`,
   ].filter((part) => part !== false);
   const text = parts.join("; ");
   return text === "" ? "" : `${text.charAt(0).toUpperCase()}${text.slice(1)}.`;
+}
+
+/** "1 file added (motion): now open its model": a file that is no model shows nothing by itself. */
+function addedText(session: Session, accepted: readonly ReadFile[], count: number): string {
+  const [file, ...others] = accepted;
+  const kind = file && others.length === 0 ? ` (${KIND_TEXTS[file.kind]})` : "";
+  return `${counted(count, "file")} added${kind}${session.models.value.length === 0 ? ": now open the model" : ""}`;
+}
+
+/** The messages of failures. Only the first are said, because the line covers what is under it. */
+function messages(failures: readonly Failure[]): string {
+  const all = [...new Set(failures.map(({ message }) => message))];
+  const more = all.length > MOST_SAID ? [`and ${all.length - MOST_SAID} more`] : [];
+  return [...all.slice(0, MOST_SAID), ...more].join("; ");
 }

@@ -11,7 +11,7 @@ export interface FileEntry {
 /** The name of each kind of file. */
 export const KIND_TEXTS: Readonly<Record<FileKind, string>> = {
   model: "model", forces: "force set", geometry: "contact geometry set", scales: "scale set", xml: "XML file",
-  mesh: "mesh", table: "table", presets: "presets", motion: "motion", plates: "force plates", loads: "external loads", other: "other file",
+  mesh: "mesh", table: "table", presets: "presets", motion: "motion", plates: "force plates", loads: "external loads", other: "unknown kind",
 };
 
 const BY_ENDING: Readonly<Record<string, FileKind>> = {
