@@ -47,9 +47,11 @@ inChromium("the motion is corrected: its verdict, its curves, its picture, and t
   const lines = curves.first().locator("polyline");
   assert.deepEqual(await lines.evaluateAll((all) => [...new Set(all.map((one) => one.getAttribute("class")))]), ["old", "before", "new"]);
   const drawn = () => page.locator("#stage-canvas").evaluate((one) => Number(one.dataset.drawn));
-  const before = await drawn();
+  const said = () => page.locator(".recording > .recording-words").innerText();
+  const [before, ofCorrected] = [await drawn(), await said()];
   await page.getByRole("radio", { name: "As recorded" }).check();
   await page.waitForFunction((count) => Number(document.getElementById("stage-canvas").dataset.drawn) > count, before);
+  assert.notEqual(await said(), ofCorrected, "the words are about the motion that is shown");
   const [download] = await user.downloads(user.button("Download walk.corrected.sto"), 1);
   const folder = new Folder(...FILES);
   const { status, stderr } = await folder.type(await correction.locator("code").innerText());
@@ -91,6 +93,17 @@ inChromium("without plates the contacts are seen alone; a motion of another mode
   await user.drop({ name: "other.mot", bytes: Buffer.from("other\nversion=1\nnRows=2\nnColumns=2\ninDegrees=yes\nendheader\ntime\tnothing\n0\t1\n1\t2\n") });
   await page.getByLabel("Recorded motion").selectOption("other.mot");
   await page.locator(".recording").getByRole("alert").filter({ hasText: /coordinate/ }).waitFor();
+});
+
+inChromium("what a recording lacks is said, and is no error", async (user) => {
+  const { page } = user;
+  const [walker, motion, ...plates] = FILES;
+  await user.open(walker, ...plates);
+  await page.getByText("Open the recorded motion, too.").waitFor();
+  await user.button("Close walker.osim").click();
+  await user.open(given("feet/human_40000.osim", "bare.osim"), motion);
+  await page.getByText("To see it, give the model contacts, and keep them.").waitFor();
+  assert.equal(await page.getByRole("alert").filter({ visible: true }).count(), 0);
 });
 
 inChromium("the motion follows the model: after a change that is kept, its new contacts are seen", async (user) => {

@@ -1,6 +1,6 @@
 // An open model and the changes that were applied to it.
 
-import type { Failure, Inspected } from "../engine/types";
+import type { Failure, Inspected, Request } from "../engine/types";
 import { Values } from "../forms/values";
 
 /** A change that was applied: it made a new file. */
@@ -77,6 +77,16 @@ const SAME_MASS = 0.02;
 
 export function isSameMass(one: number, other: number): boolean {
   return Math.abs(one - other) <= SAME_MASS * Math.min(one, other);
+}
+
+/** Whether a model has no contact forces that can be changed. */
+export function isBare({ inspection }: Inspected): boolean {
+  return inspection.forces.length === 0;
+}
+
+/** The change that the check proposes for what is wrong. */
+export function proposedRequest({ findings }: Inspected): Request | undefined {
+  return findings.find(({ remedy, severity }) => remedy && severity !== "remark")?.remedy?.request;
 }
 
 const MISPLACED = new Set(["spheres-left-behind", "spheres-misplaced"]);

@@ -6,7 +6,7 @@ import { dot, type PlayedMotion, type PlayedForce, type Vector } from "../engine
 import type { FileKind } from "../files/kinds";
 import { QUESTIONS } from "../forms/all";
 import { answersFor } from "../state/answers";
-import { currentFile } from "../state/model";
+import { currentFile, isBare } from "../state/model";
 import type { Session } from "../state/session";
 import { CorrectionView, type MotionRequest } from "./correction";
 import { type Curve, Curves } from "./curves";
@@ -34,6 +34,7 @@ export class RecordingView {
   readonly #numbers = new Map(NUMBERS_OF_RECORDING.map(([field, label]) => [field, el("input", { type: "text", inputmode: "decimal", autocomplete: "off", "aria-label": label })] as const));
   readonly #plots = el("div", { class: "recording-plots" });
   readonly #words = el("ul", { class: "recording-words" });
+  readonly #lacks = el("p", { class: "quiet" });
   readonly #failure = el("p", { class: "problem", role: "alert" });
   #curves: Curves[] = [];
   #played: PlayedMotion | undefined;
@@ -52,7 +53,7 @@ export class RecordingView {
     this.element.append(
       el("h3", {}, "Along a recording"), el("div", { class: "recording-files" }, ...files),
       el("details", { class: "more" }, el("summary", {}, "Filter and delay"), el("div", { class: "recording-files" }, ...numbers)),
-      this.#failure, this.#player.element, this.#correction.element, this.#plots, this.#words);
+      this.#lacks, this.#failure, this.#player.element, this.#correction.element, this.#plots, this.#words);
     for (const control of [...this.#selects.values(), ...this.#numbers.values()]) control.addEventListener("change", () => void this.#load());
     session.files.watch(() => this.#updateChoices());
     session.chosen.watch(() => this.#updateChoices());
@@ -81,9 +82,9 @@ export class RecordingView {
 
   async #load(): Promise<void> {
     const model = this.session.model();
-    const motions = this.session.files.value.some(({ kind }) => kind === "motion");
-    this.element.hidden = !model?.inspected || !motions;
-    if (!model?.inspected || !motions) return;
+    const any = this.session.files.value.some(({ kind }) => this.#selects.has(kind as "motion"));
+    this.element.hidden = !model?.inspected || !any;
+    if (!model?.inspected || !any) return;
     const chosen = Object.fromEntries(FILES_OF_RECORDING.map(([field]) => [field, this.#file(field)]).filter(([, name]) => name !== ""));
     // External loads describe the columns of the plates, so that they are useless alone.
     if (!("plates" in chosen)) delete chosen["loads"];
@@ -94,7 +95,8 @@ export class RecordingView {
     if (key === this.#requestKey) return;
     this.#requestKey = key;
     this.#correction.offer(undefined);
-    if (!("motion" in request)) return this.#show(undefined);
+    setText(this.#lacks, isBare(model.inspected) ? "To see it, give the model contacts, and keep them." : "motion" in chosen ? "" : "Open the recorded motion, too.");
+    if (!("motion" in chosen) || isBare(model.inspected)) return this.#show(undefined);
     try {
       const played = await this.session.engine.play(request);
       if (key !== this.#requestKey) return;
@@ -110,7 +112,7 @@ export class RecordingView {
     setText(this.#failure, failure);
     const { time_s: times = [] } = played ?? {};
     this.#player.reset(times.length, ((times[times.length - 1] ?? 0) - (times[0] ?? 0)) * SLOW_MOTION_FACTOR);
-    this.#words.replaceChildren(...(played?.remarks ?? []).map((remark) => el("li", {}, sentence(remark))));
+    this.#showWords(played);
     this.#drawCurves();
     this.onMoment(undefined, 0);
   }
@@ -119,7 +121,12 @@ export class RecordingView {
     const isNew = corrected !== this.#corrected;
     [this.#corrected, this.#showsCorrected] = [corrected, isShown];
     if (isNew) this.#drawCurves();
+    this.#showWords(isShown ? corrected : this.#played);
     this.#showMoment(this.#moment);
+  }
+
+  #showWords(played: PlayedMotion | undefined): void {
+    this.#words.replaceChildren(...(played?.remarks ?? []).map((remark) => el("li", {}, sentence(remark))));
   }
 
   #drawCurves(): void {
