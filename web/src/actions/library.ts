@@ -2,7 +2,7 @@
 
 import { toFailure } from "../engine/failure";
 import type { Change, Request } from "../engine/types";
-import { counted, digits } from "../dom/number";
+import { counted } from "../dom/number";
 import { findForm } from "../forms/all";
 import { isEmpty, problems } from "../forms/request";
 import type { Value } from "../forms/values";
@@ -93,15 +93,8 @@ async function toOutcome(answer: Promise<Change>): Promise<Outcome> {
   try {
     const change = await answer;
     if (change.unchanged) return { state: "same", text: "nothing to change; it stays as it is" };
-    return { state: "done", text: shortText(change) };
+    return { state: "done", text: changeText(change) };
   } catch (error) {
     return { state: "failed", failure: toFailure(error) };
   }
-}
-
-/** The factor of the stiffness, if all forces have the same; else how much changes. */
-function shortText(change: Change): string {
-  const factors = new Set(change.record.changes.filter(({ property }) => property === "stiffness").map(({ factor }) => factor));
-  const [factor] = factors;
-  return factors.size === 1 && typeof factor === "number" ? `stiffness ×${digits(factor)}` : changeText(change);
 }

@@ -11,7 +11,7 @@ import type { Failure } from "../engine/types";
 import { CALCULATOR, findForm } from "../forms/all";
 import { valueProblem } from "../forms/check";
 import type { Context } from "../forms/context";
-import { currentFile, type OpenModel, type Outcome } from "../state/model";
+import { currentFile, isBare, type OpenModel, type Outcome } from "../state/model";
 import type { Session } from "../state/session";
 import { formContext } from "./context";
 import { failureElements, failureView } from "./failure";
@@ -19,7 +19,7 @@ import { failureElements, failureView } from "./failure";
 /** The columns with facts of a model; null is not known. */
 const FACTS: readonly [title: string, fact: (model: OpenModel) => number | null | undefined][] = [
   ["mass", ({ inspected }) => inspected?.inspection.mass_kg],
-  ["made for", ({ inspected }) => inspected?.inspection.contacts_mass_kg?.value],
+  ["made for", ({ inspected }) => (inspected && !isBare(inspected) ? inspected.inspection.contacts_mass_kg?.value : null)],
   ["limbs", ({ inspected }) => inspected?.inspection.limbs?.length],
   ["spheres", ({ inspected }) => inspected?.inspection.spheres.length],
   ["findings", ({ inspected }) => inspected?.findings.length],
@@ -148,7 +148,8 @@ export class LibraryView {
 
   #updateButtons(): void {
     const can = canChangeAll(this.session);
-    const scaled = this.session.models.value.length - 1;
+    const withContacts = this.session.models.value.filter(({ inspected }) => inspected && !isBare(inspected));
+    const scaled = Math.max(0, withContacts.length - 1);
     setText(this.#follow, `Move the spheres of ${counted(scaled, "model")} with the bones, and download a ZIP`);
     this.#follow.disabled = this.#original.value === "";
     this.#follow.classList.toggle("primary", !can && !this.#follow.disabled);
