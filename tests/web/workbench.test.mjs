@@ -27,7 +27,7 @@ inChromium("mass, verdicts, feet and buttons are on one screen", ONE_SCREEN, asy
   }
 });
 
-for (const width of [992, 1199]) {
+for (const width of [992, 1199, 1200, 1280, 1500, 1920]) {
   inChromium(`at ${width} pixels the three steps and the form stay in sight`, { width, height: 720 }, async (user) => {
     await user.open(HUMAN);
     await user.field("Target mass (kg)").fill("80");

@@ -24,9 +24,9 @@ export class Curves {
     this.element.setAttribute("viewBox", `0 0 ${PICTURE_WIDTH} ${height}`);
     this.element.setAttribute("role", "img");
     this.element.setAttribute("class", "curves");
-    // The picture is as wide as its place; its letters stay as large.
-    const size = () => (this.element.style.fontSize = `${(LETTER_PX * PICTURE_WIDTH) / Math.max(1, this.element.clientWidth)}px`);
-    new ResizeObserver(size).observe(this.element);
+    // The picture is as large as its place; its letters stay as large.
+    const scale = () => Math.min(this.element.clientWidth / PICTURE_WIDTH, this.element.clientHeight / height) || 1;
+    new ResizeObserver(() => (this.element.style.fontSize = `${LETTER_PX / scale()}px`)).observe(this.element);
   }
 
   /** Draws curves over the time from `start` to `end`; `about` describes them for screen readers. */
