@@ -30,14 +30,19 @@ impl Dialect for Page {
     }
 
     fn call(&self, call: &Call) -> String {
-        // The page checks each model; its second step asks for the original.
-        if call.verb == Verb::Check && call.inputs.iter().any(|(input, _)| *input == Input::From) {
-            return "step 2 (“Scaled from another model?”)".to_owned();
+        // The page checks each model and plays each motion; its second step asks for the original.
+        let has = |wanted| call.inputs.iter().any(|(input, _)| *input == wanted);
+        match call.verb {
+            Verb::Check if has(Input::From) => return "step 2 (“Scaled from another model?”)".to_owned(),
+            Verb::Check if has(Input::Motion) => {
+                return "open both here, this one with the ending .mot".to_owned();
+            }
+            _ => {}
         }
         let inputs: Vec<String> =
             call.inputs.iter().map(|(input, example)| self.input(*input, example.as_ref())).collect();
-        let with = if inputs.is_empty() { String::new() } else { format!(" with {}", inputs.join(" and ")) };
-        format!("“{}”{with}", call.verb.name())
+        let and = if inputs.is_empty() { String::new() } else { format!(" and {}", inputs.join(" and ")) };
+        format!("“{}”{and}", call.verb.name())
     }
 }
 
@@ -119,7 +124,7 @@ mod tests {
             Phrase::template("leave radii as they are with `radius=keep`; `design MODEL indentation=0.16`");
         assert_eq!(
             text.spelled(&Page),
-            "leave radii as they are with the field “radius” (keep); “design” with the field “relative indentation” \
+            "leave radii as they are with the field “radius” (keep); “design” and the field “relative indentation” \
          (0.16)"
         );
         let text = Phrase::template("`check MODEL from=GENERIC` compares with the model that was scaled");
@@ -127,5 +132,7 @@ mod tests {
             text.spelled(&Page),
             "step 2 (“Scaled from another model?”) compares with the model that was scaled"
         );
+        let text = Phrase::template("to compare the two, `check MODEL motion=FILE plates=FORCES`");
+        assert_eq!(text.spelled(&Page), "to compare the two, open both here, this one with the ending .mot");
     }
 }
