@@ -48,14 +48,13 @@ const JOBS = {
     },
   },
   "a model without contacts": {
-    most: 4,
+    most: 3,
     act: async (hand) => {
       const folder = new Folder(GENERIC);
       await folder.run("remove", "generic.osim", "-o", "bare.osim");
       const bare = { name: "bare.osim", bytes: folder.read("bare.osim") };
       folder.end();
       await hand.choose(OPEN, bare);
-      await hand.press("From a reference spheres of another model or a preset");
       await hand.choose("Add a file… for “Source of the contacts”", GENERIC);
       const file = await hand.download("Download bare.scaled.osim");
       await makesTheSame("osim-contact-scale add bare.osim --from generic.osim", [bare, GENERIC], [file]);

@@ -57,6 +57,19 @@ inChromium("on a telephone buttons that stay in sight lead to each step", { widt
   }
 });
 
+inChromium("on a telephone the blue button leads to its result, and a long text covers no button", { width: 390, height: 844 }, async (user) => {
+  await user.open(given("check/contacts_of_another_mass.osim", "scaled.osim"));
+  await user.outcome.getByText("Click the blue button of step 2, or choose another change, to see its result.").waitFor();
+  await user.button("Make the contacts right for 90 kg").click();
+  await user.done("scaled.scaled.osim");
+  const [result, bar] = [await user.outcome.boundingBox(), await user.acts.boundingBox()];
+  assert.ok(result.y >= 0 && result.y + result.height <= bar.y, JSON.stringify([result, bar]));
+  await user.drop(given("bad/truncated.osim"));
+  await user.announced("1 model could not be opened");
+  const [button, line] = [await user.button("Share…", user.acts).boundingBox(), await user.page.locator("#announcement").boundingBox()];
+  assert.ok(line.height > 40 && button.y + button.height <= line.y, JSON.stringify([button, line]));
+});
+
 inChromium("the only model can be closed, also while its change is computed", async (user) => {
   await user.open(HUMAN);
   await user.field("Target mass (kg)").fill("80");
@@ -95,10 +108,24 @@ inChromium("job: scaled from a model that is open, two actions", async (user) =>
 inChromium("job: no contacts: three ways, each begins where something has to be said", async (user) => {
   await user.open(BARE);
   await user.page.getByText(/it has no contacts\.$/).waitFor();
-  for (const [way, field] of [["From a reference", "from"], ["Under its own bones", "count"], ["From a table", "contacts"]]) {
+  for (const [way, field] of [["From a reference", "from"], ["Under its own bones", "feet"], ["From a table", "contacts"]]) {
     await user.page.getByRole("group", { name: "Most likely" }).getByRole("button", { name: way }).click();
-    assert.equal(await user.page.evaluate(() => document.activeElement.id), `form-${field}`);
+    assert.equal(await user.page.evaluate(() => document.activeElement.closest("[id^=form-]").id), `form-${field}`);
   }
+});
+
+inChromium("a model without contacts is given some first; when it has them, the form is for its mass", async (user) => {
+  const isChecked = (name) => user.form.getByRole("radio", { name, exact: true }).isChecked();
+  await user.open(BARE, given("contact_tables/own.csv", "places.csv"));
+  assert.ok(await isChecked("Add"));
+  await user.verb("Rescale");
+  await user.outcome.getByText("First give the model contacts, in step 2.").waitFor();
+  await user.verb("Add");
+  await user.field("Table of contacts").selectOption("places.csv");
+  await user.field("Source of the contacts").selectOption("falisse2022");
+  await user.done("bare.scaled.osim");
+  await user.keep("bare.scaled.osim");
+  assert.ok(await isChecked("Rescale"));
 });
 
 inChromium("job: a library of forty, two actions", { limit: 60_000 }, async (user) => {

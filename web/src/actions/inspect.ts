@@ -4,7 +4,7 @@ import { toFailure } from "../engine/failure";
 import { QUESTIONS } from "../forms/all";
 import { answersFor } from "../state/answers";
 import type { Inspected } from "../engine/types";
-import { currentFile, hasMisplacedSpheres, isSameMass, type OpenModel } from "../state/model";
+import { currentFile, hasMisplacedSpheres, isBare, isSameMass, type OpenModel } from "../state/model";
 import type { Session } from "../state/session";
 
 // Sections that are visible at once, and sections that open on demand and are computed later.
@@ -69,7 +69,7 @@ export async function findOriginal(session: Session, id: number): Promise<string
 
 /** Whether a model has the bodies of another, and contacts that fit its own bodies. */
 function mayBeOriginal({ inspected }: OpenModel, scaled: Inspected): boolean {
-  if (!inspected || inspected.inspection.forces.length === 0) return false;
+  if (!inspected || isBare(inspected)) return false;
   const { mass_kg: bodyMass, contacts_mass_kg: contactsMass, bodies } = inspected.inspection;
   const names = (all: typeof bodies) => all.map(({ name }) => name).join("\n");
   const fits = bodyMass === null || !contactsMass || isSameMass(contactsMass.value, bodyMass);

@@ -18,6 +18,7 @@ export async function keepResult(session: Session): Promise<Failure | undefined>
   if (failure) return failure;
   // The form is cleared: the same change would otherwise be previewed on top of itself.
   session.values.clear();
+  if (request.verb === "add") session.setVerb("rescale", new Map());
   byId("model-title").focus();
   return undefined;
 }

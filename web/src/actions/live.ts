@@ -1,11 +1,11 @@
 // Keeps the preview up to date while the form changes: one request is sent at a time, then the newest one.
 
 import { toFailure } from "../engine/failure";
-import type { Change, Request, Section } from "../engine/types";
+import type { Change, Inspected, Request, Section } from "../engine/types";
 import { findForm } from "../forms/all";
 import type { Form } from "../forms/declaration";
 import { isEmpty, problems, missingFields } from "../forms/request";
-import { currentFile } from "../state/model";
+import { currentFile, isBare, proposedRequest } from "../state/model";
 import type { Preview, Session } from "../state/session";
 import { hasOwnMass, requestFor } from "./row";
 
@@ -148,7 +148,7 @@ function planPreview(session: Session): Plan {
   const missing = missingFields(form, values);
   if (missing.length > 0) return hintPlan(`To see what would change, fill in ${quotedLabels(missing)}.`);
   const isFilled = !isEmpty(form, values) || hasOwnMass(session, form, model);
-  if (NEEDS_INPUT.has(form.verb) && !isFilled) return hintPlan(EMPTY_HINTS[form.verb] ?? "");
+  if (NEEDS_INPUT.has(form.verb) && !isFilled) return hintPlan(emptyHint(form, model.inspected));
   return { ask: requestFor(session, form, model) };
 }
 
@@ -159,6 +159,12 @@ const EMPTY_HINTS: Readonly<Record<string, string>> = {
   design: "Say what you want, such as a relative indentation, to see what would change.",
 };
 const NEEDS_INPUT = new Set(Object.keys(EMPTY_HINTS));
+
+function emptyHint({ verb }: Form, inspected: Inspected): string {
+  if (verb !== "add" && isBare(inspected)) return "First give the model contacts, in step 2.";
+  if (proposedRequest(inspected)) return "Click the blue button of step 2, or choose another change, to see its result.";
+  return EMPTY_HINTS[verb] ?? "";
+}
 
 function hintPlan(text: string): Plan {
   return { show: { state: "hint", text } };

@@ -5,7 +5,7 @@ import { counted } from "../dom/number";
 import { isUseful, KIND_TEXTS } from "../files/kinds";
 import { type GivenFile, readFile, type ReadFile } from "../files/read";
 import { expandArchives } from "../files/unzip";
-import { newModel, type OpenModel, uses } from "../state/model";
+import { isBare, newModel, type OpenModel, uses } from "../state/model";
 import type { Session } from "../state/session";
 import { findOriginal, inspect, inspectAgain } from "./inspect";
 import { refreshPresets } from "./presets";
@@ -55,6 +55,7 @@ async function openNow(
     // Of a model and its original, the scaled one is the one to work on.
     if (original !== undefined && opened.length === 2) session.chosen.set(id);
   }
+  showFormFor(session, opened);
   const [first] = sorted.alreadyOpen;
   if (first && opened.length === 0) session.chosen.set(first.id);
   const presetFailures = accepted.some(({ kind }) => kind === "presets") ? await refreshPresets(session) : [];
@@ -63,6 +64,14 @@ async function openNow(
   const isAffected = (model: OpenModel) => all || !model.inspected || accepted.some(({ name }) => uses(model, name));
   await inspectAgain(session, session.models.value.filter((model) => isAffected(model) && !opened.includes(model.id) && !failures.has(model.id)));
   session.announce(openedText(session, sorted, opened, [...failures.values(), ...presetFailures], leftOut));
+}
+
+/** A single model without contacts is given some first; the next model with contacts has the usual form again. */
+function showFormFor(session: Session, opened: readonly number[]): void {
+  const [model, ...others] = session.models.value;
+  if (!model?.inspected || others.length > 0 || !opened.includes(model.id) || session.values.all().size > 0) return;
+  const [from, to] = isBare(model.inspected) ? ["rescale", "add"] : ["add", "rescale"];
+  if (session.verb.value === from) session.setVerb(to);
 }
 
 /** The models among files; without models, force sets that no open model includes. */

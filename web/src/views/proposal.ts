@@ -6,14 +6,14 @@ import { findForm, QUESTIONS } from "../forms/all";
 import type { Context } from "../forms/context";
 import { control } from "../forms/control";
 import { describeRequest, valuesOf } from "../forms/describe";
-import type { OpenModel } from "../state/model";
+import { isBare, type OpenModel, proposedRequest } from "../state/model";
 import type { Session } from "../state/session";
 import { formContext } from "./context";
 import { wayPicture } from "./ways";
 
 const WAYS: readonly [title: string, about: string, field: string][] = [
   ["From a reference", "spheres of another model or a preset", "from"],
-  ["Under its own bones", "spheres below the meshes of the feet", "count"],
+  ["Under its own bones", "spheres below the meshes of the feet", "feet"],
   ["From a table", "places of your own", "contacts"],
 ];
 
@@ -26,6 +26,8 @@ export class ProposalView {
   readonly #offers = el("div", { class: "offers", role: "group", "aria-label": "Most likely" });
   readonly #note = el("p", { class: "quiet" });
   #model: OpenModel | undefined;
+  /** Whether the next result is that of the button, which may be below what is seen. */
+  #showsResult = false;
   #refreshFields: (choices: boolean) => void = () => undefined;
   #end: () => void = () => undefined;
 
@@ -35,6 +37,13 @@ export class ProposalView {
     session.models.watch(() => this.#update());
     session.chosen.watch(() => this.#update());
     session.files.watch(() => this.#refreshFields(true));
+    session.preview.watch((preview) => {
+      if (!this.#showsResult || !(preview.state === "failed" || (preview.state === "done" && preview.complete))) return;
+      this.#showsResult = false;
+      // Beside the body, the steps scroll in their own box.
+      const block = matchMedia("(min-width:62rem)").matches ? "nearest" : "start";
+      requestAnimationFrame(() => byId("outcome").scrollIntoView({ block }));
+    });
   }
 
   #update(): void {
@@ -48,8 +57,8 @@ export class ProposalView {
 
   #show(model: OpenModel): void {
     const { inspection, findings } = model.inspected ?? { inspection: undefined, findings: [] };
-    const bare = inspection?.forces.length === 0;
-    const request = findings.find(({ remedy, severity }) => remedy && severity !== "remark")?.remedy?.request;
+    const bare = model.inspected !== null && isBare(model.inspected);
+    const request = model.inspected === null ? undefined : proposedRequest(model.inspected);
     const mass = inspection?.mass_kg;
     // The scaled bones show that there is an original, and nothing else shows whether the spheres followed.
     const asks = !request && findings.some(({ code }) => code === "spheres-not-compared");
@@ -80,7 +89,11 @@ export class ProposalView {
 
   #offer(request: Request, mass: number | null | undefined): HTMLElement {
     const text = describeRequest(request, findForm(request.verb), mass);
-    return button(text, () => this.session.setVerb(request.verb, valuesOf(request)), { class: "primary" });
+    const act = () => {
+      this.#showsResult = true;
+      this.session.setVerb(request.verb, valuesOf(request));
+    };
+    return button(text, act, { class: "primary" });
   }
 
   /** Buttons for three ways to add contacts to a model that has none. */
@@ -100,6 +113,7 @@ export class ProposalView {
 /** Moves the focus to the field that the user has to fill first. */
 function focusField(name: string): void {
   const field = document.getElementById(`form-${name}`);
+  if (field instanceof HTMLDetailsElement) field.open = true;
   field?.scrollIntoView({ block: "center" });
-  field?.focus({ preventScroll: true });
+  (field?.querySelector("summary") ?? field)?.focus({ preventScroll: true });
 }
