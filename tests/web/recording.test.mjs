@@ -102,7 +102,7 @@ inChromium("what a recording lacks is said, and is no error", async (user) => {
   await page.getByText("Open the recorded motion, too.").waitFor();
   await user.button("Close walker.osim").click();
   await user.open(given("feet/human_40000.osim", "bare.osim"), motion);
-  await page.getByText("To see it, give the model contacts, and keep them.").waitFor();
+  await page.getByText("To play the motion, first give the model contacts, and keep them.").waitFor();
   assert.equal(await page.getByRole("alert").filter({ visible: true }).count(), 0);
 });
 

@@ -98,5 +98,10 @@ export const WORDS = [
   ["; may be repeated", ""], [", separated by commas", ""], [" (or one, BODY=f)", ": BODY=x,y,z or BODY=f"],
   ["the one that takes its spheres here", "the one that takes its spheres here: toes_r=calcn_r"],
   ["(with models also keep or a factor like x1.5)", ""], ["OpenSim's names, and radius", "by OpenSim’s names, and the radius"],
+  ["Only its forces", "Only the reference’s forces"], ["forces with such a name", "forces with these names"],
+  ["Confirm what looks like a mistake: the code of the error that asks", "Codes of the errors that you have read and that are no mistakes"],
+  ["Take places that the table has in ground only as those", "Places that the table has in ground only are those"],
+  ["Mass the contacts are made for now", "Mass that the contacts are right for now"],
+  ["The load in body weights", "Load under which the spheres sink so far, in body weights"],
   [": if given, contacts are scaled from it to `target_gravity`", "; with it, contacts are scaled to `target_gravity`"],
 ];
