@@ -39,10 +39,9 @@ impl Dialect for Page {
             }
             _ => {}
         }
-        let inputs: Vec<String> =
-            call.inputs.iter().map(|(input, example)| self.input(*input, example.as_ref())).collect();
-        let and = if inputs.is_empty() { String::new() } else { format!(" and {}", inputs.join(" and ")) };
-        format!("“{}”{and}", call.verb.name())
+        let verb = std::iter::once(format!("“{}”", call.verb.name()));
+        let inputs = call.inputs.iter().map(|(input, example)| self.input(*input, example.as_ref()));
+        verb.chain(inputs).collect::<Vec<_>>().join(" and ")
     }
 }
 
