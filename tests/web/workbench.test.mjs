@@ -124,8 +124,11 @@ inChromium("a model without contacts is given some first; when it has them, the 
   await user.field("Table of contacts").selectOption("places.csv");
   await user.field("Source of the contacts").selectOption("falisse2022");
   await user.done("bare.scaled.osim");
+  // Nothing changes in what is new.
+  await user.outcome.getByText(/^\d+ × ContactHalfSpace added; \d+ × ContactSphere added; \d+ × SmoothSphereHalfSpaceForce added\.$/).waitFor();
   await user.keep("bare.scaled.osim");
   assert.ok(await isChecked("Rescale"));
+  await user.page.getByText(/^Give it contacts of falisse2022.* → bare\.scaled\.osim$/).waitFor();
 });
 
 inChromium("job: a library of forty, two actions", { limit: 60_000 }, async (user) => {

@@ -62,8 +62,11 @@ function pageFailure(code: string, message: string): Failure {
 const NAMED_PROPERTIES = ["radius", "stiffness", "dissipation"];
 
 /** What a change does, as a sentence: "12 spheres move; radius ×1.09, stiffness ×1.09 and 2 other properties change." */
-export function changeText({ record: { objects, changes }, unchanged }: Change): string {
+export function changeText({ record: { objects, changes: all }, unchanged }: Change): string {
   if (unchanged) return "Nothing to change.";
+  // The numbers of an object that is added do not change.
+  const added = new Set(objects.map(({ path }) => path));
+  const changes = all.filter(({ path }) => !added.has(path));
   const kinds = [...new Set(objects.map(({ change, class: kind }) => `${change} ${kind}`))].map((key) => {
     const [change = "", kind = ""] = key.split(" ");
     const count = objects.filter((one) => one.change === change && one.class === kind).length;
@@ -77,9 +80,9 @@ export function changeText({ record: { objects, changes }, unchanged }: Change):
     return factors.size === 1 && typeof factor === "number" ? `${property} ×${digits(factor)}` : property;
   });
   const others = properties.length - named.length;
-  const all = [...named, ...(others > 0 ? [counted(others, named.length > 0 ? "other property" : "property", named.length > 0 ? "other properties" : "properties")] : [])];
-  const last = all.pop();
-  const list = last === undefined ? [] : [`${all.length > 0 ? `${all.join(", ")} and ` : ""}${last} ${properties.length === 1 ? "changes" : "change"}`];
+  const texts = [...named, ...(others > 0 ? [counted(others, named.length > 0 ? "other property" : "property", named.length > 0 ? "other properties" : "properties")] : [])];
+  const last = texts.pop();
+  const list = last === undefined ? [] : [`${texts.length > 0 ? `${texts.join(", ")} and ` : ""}${last} ${properties.length === 1 ? "changes" : "change"}`];
   const parts = [...kinds, ...(moved > 0 ? [counted(moved, "sphere moves", "spheres move")] : []), ...list];
   return parts.length === 0 ? "Only the note about the contacts changes." : `${parts.join("; ")}.`;
 }

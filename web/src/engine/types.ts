@@ -85,8 +85,8 @@ export interface Inspected {
 export interface ChangeRecord {
   contacts_mass_kg: { value: number; source: string } | null;
   target_mass_kg: number | null;
-  objects: { change: string; class: string; name: string }[];
-  changes: { property: string; from: unknown; to: unknown; factor: number | null }[];
+  objects: { change: string; class: string; path: string }[];
+  changes: { path: string; property: string; from: unknown; to: unknown; factor: number | null }[];
   remarks: string[];
 }
 

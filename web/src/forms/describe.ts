@@ -23,6 +23,7 @@ function jobText(request: Request, mass: number | null | undefined, form: Change
   if (request.verb === "rescale" && "target_mass" in request) return right.replace("make", "Make");
   if (request.verb === "transfer" && request["follow_bodies"] === true) return ["Move the spheres with the bones", right].filter(Boolean).join(" and ");
   if (request.verb === "transfer") return `Take over the contacts of ${String(request["from"])}`;
+  if (request.verb === "add") return ["Give it contacts", request["from"]].filter(Boolean).join(" of ");
   if (request.verb === "design" || request.verb === "set") return "Change the contacts";
   return form?.title ?? request.verb;
 }

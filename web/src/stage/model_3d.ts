@@ -207,7 +207,7 @@ export class Stage {
 
   /** Turns the camera to a part of the model, from a direction. */
   look(at: ViewTarget, from: ViewDirection): void {
-    const scene = this.#shown?.now;
+    const scene = this.#shown?.now.spheres.length === 0 ? (this.#shown.after ?? this.#shown.now) : this.#shown?.now;
     if (!scene) return;
     const spheres = scene.spheres.filter(({ side }) => at === "feet" || at === "body" || side === at || side === null);
     const points = spheres.map(({ centre_m: [x, y, z] }) => new Vector3(x, y, z));

@@ -104,7 +104,8 @@ export class StageView {
     const done = preview.state === "done" && preview.request.models?.[0] === currentFile(model) ? preview.change : undefined;
     // If a step of a slider did not request the scene, the old one stays.
     const after = preview.state === "done" && !done?.scene && !done?.unchanged ? this.#after : (done?.scene ?? undefined);
-    const isNew = model.id !== this.#model;
+    // The first spheres of a model are looked at like another model.
+    const isNew = model.id !== this.#model || (now.spheres.length === 0 && !after !== !this.#after);
     const changed = isNew || now !== this.#now || after !== this.#after;
     [this.#model, this.#now, this.#after] = [model.id, now, done ? after : undefined];
     if (changed) this.#show();
