@@ -395,6 +395,11 @@ impl Plan {
         self.base_model(model).read_again(self.patched(model, FileId::MAIN)?, &others)
     }
 
+    /// The new model for inspection only, read from its new bytes only if the plan changes more than numbers of contacts.
+    pub fn model_to_inspect(&self, model: &Model) -> Result<Model> {
+        self.with_contact_numbers(model).map_or_else(|| self.changed_model(model), Ok)
+    }
+
     /// The new model for inspection only: its numbers and note are new, but its positions in the file are the old ones.
     /// `None` if the plan changes more than numbers of contacts.
     pub fn with_contact_numbers(&self, model: &Model) -> Option<Model> {

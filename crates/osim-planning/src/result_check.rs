@@ -25,13 +25,10 @@ impl PreparedChange {
     /// # Errors
     /// Those of [`plan_with_companions`](Self::plan_with_companions); a change after which the model is wrong, unless the caller means it.
     pub fn plan(&self, opened: &OpenModel, files: &dyn Files) -> Result<Plan, Failure> {
-        let mut plan = self.plan_with_note(opened, files)?;
-        let changed = (!plan.is_empty()).then(|| changed_model_with_numbers(&plan, opened)).transpose()?;
-        self.judge_result(opened, &mut plan, changed.as_ref())?;
-        Ok(plan)
+        self.plan_with_result(opened, files, Plan::model_to_inspect).map(|(plan, _)| plan)
     }
 
-    /// Plans like [`plan`](Self::plan), and also returns the changed model, read from its new bytes; `None` if nothing changes.
+    /// Plans like [`plan`](Self::plan), and also returns the changed model as `changed` makes it; `None` if nothing changes.
     ///
     /// # Errors
     /// Those of [`plan`](Self::plan).
@@ -39,9 +36,11 @@ impl PreparedChange {
         &self,
         opened: &OpenModel,
         files: &dyn Files,
+        changed: fn(&Plan, &Model) -> Result<Model, Fault>,
     ) -> Result<(Plan, Option<Model>), Failure> {
         let mut plan = self.plan_with_note(opened, files)?;
-        let changed = (!plan.is_empty()).then(|| changed_model_from_bytes(&plan, opened)).transpose()?;
+        let changed = (!plan.is_empty()).then(|| changed(&plan, &opened.model)).transpose();
+        let changed = changed.map_err(|fault| opened.failure(fault))?;
         self.judge_result(opened, &mut plan, changed.as_ref())?;
         Ok((plan, changed))
     }
@@ -182,22 +181,6 @@ impl PreparedChange {
         }
         options
     }
-}
-
-/// The model after `plan` is applied to `opened`. It is read from its new bytes only if more than numbers changes.
-///
-/// # Errors
-/// Those of [`Plan::changed_model`].
-fn changed_model_with_numbers(plan: &Plan, opened: &OpenModel) -> Result<Model, Failure> {
-    plan.with_contact_numbers(&opened.model).map_or_else(|| changed_model_from_bytes(plan, opened), Ok)
-}
-
-/// The model after `plan` is applied to `opened`, read from its new bytes.
-///
-/// # Errors
-/// Those of [`Plan::changed_model`].
-fn changed_model_from_bytes(plan: &Plan, opened: &OpenModel) -> Result<Model, Failure> {
-    plan.changed_model(&opened.model).map_err(|fault| opened.failure(fault))
 }
 
 /// The findings `after` a change. Each is marked if the model had it `before`, or the `reference` has it. If nothing changes, the findings

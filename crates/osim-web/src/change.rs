@@ -36,7 +36,7 @@ pub(crate) struct PlannedChange {
     change: PreparedChange,
     opened: Rc<OpenedModel>,
     plan: Plan,
-    /// The changed model; `None` if nothing changes.
+    /// The changed model, for inspection only; `None` if nothing changes.
     changed: Option<Model>,
     words: &'static dyn FrontEnd,
     /// The changed files, the model first.
@@ -82,7 +82,8 @@ impl PlannedChange {
         given_files: &GivenFiles,
         words: &'static dyn FrontEnd,
     ) -> Result<Self, Problem> {
-        let (mut plan, changed) = change.plan_with_result(&opened.model, given_files)?;
+        let (mut plan, changed) =
+            change.plan_with_result(&opened.model, given_files, Plan::model_to_inspect)?;
         plan.spell(words);
         let output =
             change.output.output.clone().unwrap_or_else(|| OutputOptions::result_beside(&opened.path));

@@ -3,11 +3,13 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
+use osim_inspect::series::ContactBody;
 use osim_inspect::{ChangeableValues, InspectOptions, check_model, model_findings};
 use osim_model::files::{Files, OpenModel};
 use osim_model::messages::Verb;
 use osim_model::{FileId, Finding, Force, Model, Severity, Sphere, Value as Number, YesQuestion};
 use osim_patch::Plan;
+use osim_planning::scene::Scene;
 use osim_planning::{PreparedChange, prepare};
 use osim_requests::Request;
 use serde_json::{Value, json};
@@ -138,7 +140,7 @@ fn compare_with_the_run(
     what: &str,
 ) -> Option<Plan> {
     let in_memory = change.plan(opened, files);
-    let by_file = change.plan_with_result(opened, files);
+    let by_file = change.plan_with_result(opened, files, Plan::changed_model);
     let (plan, changed) = match (in_memory, by_file) {
         (Ok(plan), Ok((by_file, changed))) => {
             assert_eq!(plan, by_file, "{what}");
@@ -161,6 +163,8 @@ fn compare_with_the_run(
     }
     if let (Some(renumbered), Some(changed)) = (plan.with_contact_numbers(&opened.model), changed) {
         assert_eq!(seen_contacts(&renumbered), seen_contacts(&changed), "{what}");
+        let pictures = |model| pictures(model, &change.options, opened);
+        assert_eq!(pictures(&renumbered), pictures(&changed), "{what}");
         compared.models += 1;
     }
     Some(plan)
@@ -190,6 +194,14 @@ fn assert_same_findings(change: &PreparedChange, plan: &Plan, changed: &Model, w
     for said in plan.findings.iter().filter(|said| said.had_before) {
         assert!(found.iter().any(|one| one.code() == said.code()), "{what}: {}", said.code());
     }
+}
+
+/// A text with everything that pictures show of a model.
+fn pictures(model: &Model, options: &InspectOptions, opened: &OpenModel) -> String {
+    let failed = |fault| opened.failure(fault);
+    let body = ContactBody::from_inspected_model(String::new(), model, options, &failed);
+    let curves = body.ok().map(|body| (body.kinds, body.weight.ok()));
+    format!("{:?} {curves:?}", Scene::of(model, options))
 }
 
 /// A text with everything about the contacts of a model except their positions in the file.
