@@ -1,4 +1,4 @@
-// Places for sections of the engine's renderer. Equal content is not replaced, so that a slider moves smoothly.
+// Places for sections of the engine's renderer. What stays equal is not replaced, so that a slider moves smoothly, boxes stay scrolled, and the focus stays.
 
 import { el, setText } from "../dom/element";
 import { parseHtml } from "../dom/markup";
@@ -28,7 +28,6 @@ export function placeSection({ prefix, id, folded = false, title }: Options): Se
   const element = folded
     ? el("details", { id: `${prefix}-${id}`, class: `section of-${id}`, hidden: true }, el("summary", {}, heading), body)
     : el("div", { id: `${prefix}-${id}`, class: `section of-${id}`, hidden: true }, heading, body);
-  const scrolled = watchScrolling(body);
   let shownHtml: string | undefined;
   const show = (section: Section | undefined) => {
     element.hidden = section === undefined || section.html === "";
@@ -37,7 +36,7 @@ export function placeSection({ prefix, id, folded = false, title }: Options): Se
     setText(heading, title ?? section.title);
     const content = parseHtml(section.html);
     for (const cell of content.querySelectorAll("td")) shortenCell(cell);
-    replaceContent(body, content, scrolled);
+    updateChildren(body, content);
   };
   return { element, show };
 }
@@ -54,22 +53,22 @@ function shortenCell(cell: HTMLElement): void {
   place.textContent = short;
 }
 
-/** How far each box in `body` is scrolled, by its index. To ask the boxes at each step of a slider would lay out the page once more. */
-function watchScrolling(body: HTMLElement): ReadonlyMap<number, number> {
-  const scrolled = new Map<number, number>();
-  const remember = ({ target }: Event) => target instanceof Element && scrolled.set(boxesIn(body).indexOf(target), target.scrollLeft);
-  body.addEventListener("scroll", remember, { capture: true, passive: true });
-  return scrolled;
+/** Gives a place the children of `made`. Elements of the same kind stay, so that only what differs is laid out and drawn again. */
+function updateChildren(place: Node, made: Node): void {
+  const [before, after] = [[...place.childNodes], [...made.childNodes]];
+  for (const [index, next] of after.entries()) {
+    const old = before[index];
+    if (!old) place.appendChild(next);
+    else if (old.isEqualNode(next)) continue;
+    else if (old instanceof Element && next instanceof Element && old.nodeName === next.nodeName) updateElement(old, next);
+    else if (old instanceof Text && next instanceof Text) old.data = next.data;
+    else place.replaceChild(next, old);
+  }
+  for (const surplus of before.slice(after.length)) surplus.remove();
 }
 
-function boxesIn(body: HTMLElement): Element[] {
-  return [...body.querySelectorAll(".wide, .plot.feet")];
-}
-
-/** Replaces the content of `body`, and restores scroll positions and the focus. */
-function replaceContent(body: HTMLElement, content: DocumentFragment, scrolled: ReadonlyMap<number, number>): void {
-  const focused = [...body.querySelectorAll("a, [tabindex]")].indexOf(document.activeElement ?? body);
-  body.replaceChildren(content);
-  if (scrolled.size > 0) for (const [index, box] of boxesIn(body).entries()) box.scrollLeft = scrolled.get(index) ?? 0;
-  if (focused >= 0) [...body.querySelectorAll<HTMLElement>("a, [tabindex]")][focused]?.focus({ preventScroll: true });
+function updateElement(old: Element, next: Element): void {
+  for (const { name } of [...old.attributes]) if (!next.hasAttribute(name)) old.removeAttribute(name);
+  for (const { name, value } of next.attributes) if (old.getAttribute(name) !== value) old.setAttribute(name, value);
+  updateChildren(old, next);
 }
