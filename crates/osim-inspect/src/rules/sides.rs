@@ -125,13 +125,6 @@ fn odd_side(known: Option<&KnownSide>, sides: &BothSides<'_>, left: &Force) -> O
     known.map(|known| known.side.other()).or_else(|| sides.odd_side(left))
 }
 
-/// A property with different values on the two sides.
-struct UnevenValue {
-    property: Property,
-    left: f64,
-    right: f64,
-}
-
 /// The request `one`, extended to the forces of `other`; `None` if the requests differ in something else.
 fn join_forces(mut one: SetRequest, mut other: SetRequest) -> Option<SetRequest> {
     let added = std::mem::take(&mut other.choice.select);
@@ -152,17 +145,14 @@ fn copy_other_side(
 ) -> Option<SetRequest> {
     let left = sides.force(left)?;
     let right = sides.right_counterpart(left)?;
-    let values = uneven_values(model, sides, left, right)?;
     let odd = odd_side(known, sides, left)?;
-    let wrong = if odd == Side::Left { left } else { right };
-    let correct_value = |one: &UnevenValue| if odd == Side::Left { one.right } else { one.left };
-    let assignments: Vec<(Property, f64)> =
-        values.iter().map(|one| (one.property, correct_value(one))).collect();
-    can_be_set(&assignments).then_some(())?;
+    let (wrong, correct) = if odd == Side::Left { (left, right) } else { (right, left) };
+    let values = values_to_copy(model, wrong, correct, || sides.bones_differ(left, right))?;
+    can_be_set(&values).then_some(())?;
     if !remedies.options.selection.select.is_empty() {
         return None;
     }
-    let assignments = assignments.iter().map(|(property, value)| (*property, Assignment::Value(*value)));
+    let assignments = values.iter().map(|(property, value)| (*property, Assignment::Value(*value)));
     let set = remedies.set(assignments.collect())?;
     let choice = ForceOptions { select: vec![exact_pattern(&wrong.name)?], ..remedies.choice() };
     Some(SetRequest { choice, ..set })
@@ -179,27 +169,27 @@ fn radii_of_force(model: &Model, force: &Force) -> Vec<f64> {
     spheres.map(|sphere| sphere.radius.number).collect()
 }
 
-/// The values that differ between the forces; `None` if one `set` cannot make them equal.
-fn uneven_values(
+/// The values of the correct force that differ from those of the wrong one; `None` if one `set` cannot make them equal.
+fn values_to_copy(
     model: &Model,
-    sides: &BothSides<'_>,
-    left: &Force,
-    right: &Force,
-) -> Option<Vec<UnevenValue>> {
-    let ([left_set], [right_set]) = (left.sets.as_slice(), right.sets.as_slice()) else { return None };
-    let pairs = left_set.values.iter().zip(&right_set.values).filter(|(l, r)| l.number != r.number);
-    let mut uneven: Vec<UnevenValue> =
-        pairs.map(|(l, r)| UnevenValue { property: r.property, left: l.number, right: r.number }).collect();
-    let (left_radii, right_radii) = (radii_of_force(model, left), radii_of_force(model, right));
-    if left_radii != right_radii {
+    wrong: &Force,
+    correct: &Force,
+    bones_differ: impl FnOnce() -> bool,
+) -> Option<Vec<(Property, f64)>> {
+    let ([wrong_set], [correct_set]) = (wrong.sets.as_slice(), correct.sets.as_slice()) else { return None };
+    let pairs = wrong_set.values.iter().zip(&correct_set.values);
+    let uneven = pairs.filter(|(wrong, correct)| wrong.number != correct.number);
+    let mut values: Vec<(Property, f64)> = uneven.map(|(_, one)| (one.property, one.number)).collect();
+    let [wrong_radii, correct_radii] = [wrong, correct].map(|force| radii_of_force(model, force));
+    if wrong_radii != correct_radii {
         // On bones of another size, the radius of the other side and what follows from it would be wrong.
-        if sides.bones_differ(left, right) {
+        if bones_differ() {
             return None;
         }
-        let (left, right) = (common_number(&left_radii)?, common_number(&right_radii)?);
-        uneven.push(UnevenValue { property: Property::Radius, left, right });
+        common_number(&wrong_radii)?;
+        values.push((Property::Radius, common_number(&correct_radii)?));
     }
-    Some(uneven).filter(|uneven| !uneven.is_empty())
+    Some(values).filter(|values| !values.is_empty())
 }
 
 /// The first of `numbers`, if all are equal.
@@ -328,15 +318,15 @@ pub(super) fn find_left_right_off(sides: &BothSides<'_>) -> Option<Finding> {
         })
         .collect();
     let [first, counterpart] = *off.first()?;
-    let side = if first.side == Side::Left { "left" } else { "right" };
     let more = match off.len() {
         1 => String::new(),
         2 => format!("; so is 1 other of {} pairs", sides.pairs.len()),
         count => format!("; so are {} others of {} pairs", count - 1, sides.pairs.len()),
     };
     let text = format!(
-        "the contact of {} on the {side} is switched off, that of {}, its counterpart, is not{more}",
+        "the contact of {} on the {} is switched off, that of {}, its counterpart, is not{more}",
         shown(&first.sphere.name),
+        first.side.as_str(),
         shown(&counterpart.sphere.name)
     );
     finding_about_spheres(&LEFT_RIGHT_OFF, text, off.iter().map(|[off, _]| off.sphere))
