@@ -176,22 +176,16 @@ fn sphere_centres(model: &Model) -> Option<Vec<SphereCentre<'_>>> {
 }
 
 impl PublishedLayout {
-    /// Whether the centres are the published places, compared directly or by digest.
+    /// Whether the centres are the published places, compared directly or, for a layout without places, by digest.
     fn has_places(&self, centres: &DigestedCentres<'_>) -> bool {
-        self.matches(&centres.list, |own| {
-            own == centres.digest.get_or_init(|| digest_of_places(&centres.list))
-        })
-    }
-
-    /// Whether the centres `list` are the places of the layout. A layout without places has a digest, with which `list` is compared.
-    fn matches(&self, list: &[SphereCentre<'_>], has_digest: impl FnOnce(&str) -> bool) -> bool {
+        let list = &centres.list;
         match (&self.places, &self.digest) {
             (Some(places), _) if places.len() == list.len() => {
                 let rounding_m =
                     rounding_of_places_m(list.iter().map(|centre| centre.at_m)).max(SAME_PLACE_M);
                 places.iter().all(|place| list.iter().any(|centre| place.is_at(centre, rounding_m)))
             }
-            (None, Some(digest)) => has_digest(digest),
+            (None, Some(digest)) => digest == centres.digest.get_or_init(|| digest_of_places(list)),
             _ => false,
         }
     }
@@ -207,8 +201,8 @@ impl PublishedLayout {
                 let at_m = std::array::from_fn(|axis| at_m[axis] * (published[axis] / here[axis]));
                 Some(SphereCentre { body, at_m })
             });
-            let back = back.collect::<Option<Vec<SphereCentre<'_>>>>()?;
-            self.matches(&back, |own| own == digest_of_places(&back)).then_some(volume)
+            let list = back.collect::<Option<Vec<SphereCentre<'_>>>>()?;
+            self.has_places(&DigestedCentres { list, ..DigestedCentres::default() }).then_some(volume)
         })
     }
 }
