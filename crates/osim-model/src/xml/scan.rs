@@ -84,8 +84,6 @@ const BYTE_ORDER_MARK: &[u8] = b"\xEF\xBB\xBF";
 /// How archives begin.
 const ARCHIVES: [(&[u8], &str); 4] =
     [(b"PK\x03\x04", "ZIP"), (b"\x1F\x8B", "gzip"), (b"7z\xBC\xAF", "7z"), (b"Rar!", "RAR")];
-/// Up to this number of attributes, repeated names are found by comparing all pairs; more attributes go through a hash set.
-const MOST_ATTRIBUTES_IN_PAIRS: usize = 8;
 
 type Fault = (SyntaxFault, usize);
 
@@ -295,21 +293,13 @@ fn check_attributes(tag: &BytesStart<'_>, start: usize) -> Result<(), Fault> {
     }
     let mut attributes = tag.attributes();
     attributes.with_checks(false);
-    let mut few: Vec<&str> = Vec::new();
-    let mut many: HashSet<&str> = HashSet::new();
+    let mut names: HashSet<&str> = HashSet::new();
     for attribute in attributes {
         let attribute = attribute.map_err(|error| {
             (SyntaxFault::Attribute { tag: name.as_ref().to_owned(), what: error.to_string() }, start)
         })?;
         let key = attribute.key.into_inner();
-        let seen = if few.len() < MOST_ATTRIBUTES_IN_PAIRS {
-            let seen = few.contains(&key);
-            few.push(key);
-            seen
-        } else {
-            few.contains(&key) || !many.insert(key)
-        };
-        if seen {
+        if !names.insert(key) {
             let what = format!("attribute '{key}' appears twice");
             return Err((SyntaxFault::Attribute { tag: name.as_ref().to_owned(), what }, start));
         }
