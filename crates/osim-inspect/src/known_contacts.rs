@@ -301,9 +301,8 @@ impl KnownContactsEntry {
             let mut equal = self.contacts.iter();
             equal.any(|one| is_like(contact, one, &ComparedNumbers::EXACT) && is_published(one))
         };
-        let is_about = |contact: &&ContactOfSet| {
-            contact.names.iter().any(|name| finding.spheres.contains(name))
-        };
+        let is_about =
+            |contact: &&ContactOfSet| contact.names.iter().any(|name| finding.spheres.contains(name));
         let mut in_question = contacts.iter().filter(is_about).peekable();
         let are_unchanged = in_question.peek().is_some() && in_question.all(is_unchanged);
         let are_near = contacts.iter().all(is_near) && self.contacts.iter().all(has_near);

@@ -1,7 +1,7 @@
 //! Says where contacts stand beside measured feet. The measurements are cited as others cite them, where nobody of us read the original.
 
 use osim_model::messages::{counted, four_significant};
-use osim_model::{Model, Sphere};
+use osim_model::{Model, Sphere, least_and_most};
 
 use crate::body_bones::BodyBones;
 use crate::{Figure, Inspection, LimbFigures, SphereFigures};
@@ -30,8 +30,12 @@ pub(crate) fn spheres_under_heels(model: &Model) -> Vec<String> {
 impl Inspection {
     /// Sentences about stiffness and loss of energy of the contacts, each beside what was measured.
     pub fn beside_real_feet(&self) -> Vec<String> {
-        let all = |figure| self.figures.spheres().filter_map(move |sphere| sphere.value(figure));
-        let dimensionless = range(all(Figure::DimensionlessStiffness)).map(|own| {
+        let range = |figure| {
+            let values = self.figures.spheres().filter_map(|sphere| sphere.value(figure));
+            let (least, most) = least_and_most(values);
+            (least <= most).then_some([least, most])
+        };
+        let dimensionless = range(Figure::DimensionlessStiffness).map(|own| {
             let pads =
                 "foot pads of mammals (Alexander et al. 1986, as the paper cites them, without their load)";
             let (own, measured) = (between(own), between(PAD_STIFFNESS));
@@ -42,7 +46,7 @@ impl Inspection {
         let heel = limbs.filter_map(|limb| self.heel_of(limb)).next();
         let has_heel = heel.is_some();
         let speed = self.figures.impact_speed_m_s.filter(|_| has_heel);
-        let restitution = range(all(Figure::RestitutionExact)).filter(|_| has_heel);
+        let restitution = range(Figure::RestitutionExact).filter(|_| has_heel);
         let lost = speed.zip(restitution).map(|(speed, [least, most])| {
             let percent = |shares: [f64; 2]| between(shares.map(|share| 100.0 * share));
             format!(
@@ -75,14 +79,6 @@ impl Inspection {
             )
         })
     }
-}
-
-/// The smallest and the largest of the values.
-fn range(values: impl Iterator<Item = f64>) -> Option<[f64; 2]> {
-    values.fold(None, |range, value| {
-        let [least, most] = range.unwrap_or([value, value]);
-        Some([f64::min(least, value), f64::max(most, value)])
-    })
 }
 
 /// A range in words; one number if both ends look the same.

@@ -170,8 +170,7 @@ fn judge_topic(on: VerdictTopic, inspected: &InspectedModel<'_>, findings: &[Fin
         let is_about_gravity = matches!(found.code(), FindingCode::GravityTooLarge | FindingCode::OddGravity);
         is_about_gravity && found.severity > Severity::Remark
     });
-    let is_in_other_unit =
-        is_gravity_wrong && inspection.figures.gravity_m_s2 == inspection.gravity_m_s2;
+    let is_in_other_unit = is_gravity_wrong && inspection.figures.gravity_m_s2 == inspection.gravity_m_s2;
     let follows_weight = matches!(on, VerdictTopic::Standing | VerdictTopic::Mass | VerdictTopic::Solver);
     let is_on_contacts =
         matches!(on, VerdictTopic::Mass | VerdictTopic::Sides | VerdictTopic::Sizes | VerdictTopic::Solver);

@@ -102,9 +102,8 @@ impl MeasuredForces {
 
     /// The forces under the feet that plates carry in some frame.
     pub(crate) fn of_loaded_feet(&self) -> Vec<&[Option<Wrench>]> {
-        let is_loaded = |forces: &&[Option<Wrench>]| {
-            forces.iter().flatten().any(|wrench| wrench.force_n != DVec3::ZERO)
-        };
+        let is_loaded =
+            |forces: &&[Option<Wrench>]| forces.iter().flatten().any(|wrench| wrench.force_n != DVec3::ZERO);
         self.feet.iter().map(Vec::as_slice).filter(is_loaded).collect()
     }
 

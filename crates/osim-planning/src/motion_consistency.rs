@@ -285,9 +285,7 @@ fn verdict_in_words(
                 );
                 format!("{unexplained}: {off}; {moves}{far}").into()
             }
-            None => {
-                format!("{large}: {moves}; the vertical force is off by {left} body weights{far}").into()
-            }
+            None => format!("{large}: {moves}; the vertical force is off by {left} body weights{far}").into(),
         },
         MotionVerdict::Disagree => {
             let mut text = Phrase::from("contacts and plates do not agree: ");

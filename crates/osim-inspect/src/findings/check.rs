@@ -62,15 +62,12 @@ fn collect_findings(
     let mut remedies = Remedies::new(inspected, one_modulus, changeable, options);
     // A command that makes contacts right for what is wrong elsewhere would hide the fault.
     let has_finding = |code| model_findings(model).iter().any(|finding| finding.code() == code);
-    let has_loose_body = has_finding(FindingCode::BodyWithoutJoint);
+    let has_loose_body = has_finding(BodyWithoutJoint);
     let causes = [MasslessBody, HeavyFoot, MisplacedObject, FootSphereOnGround];
     let floors_of_model = Floors::of(model);
     let odd_gravity = floors::find_odd_gravity(model, &floors_of_model);
     let is_gravity_odd = odd_gravity.is_some_and(|finding| finding.severity > Severity::Remark);
-    if has_loose_body
-        || causes.into_iter().any(has_finding)
-        || is_gravity_odd
-        || are_numbers_exchanged(model)
+    if has_loose_body || causes.into_iter().any(has_finding) || is_gravity_odd || are_numbers_exchanged(model)
     {
         remedies = remedies.none_yet();
     }
@@ -93,22 +90,21 @@ fn collect_findings(
     }
     let mut findings = findings_about_model(model, inspected, &floors_of_model, &remedies);
     if are_bodies_of_another_mass(model, inspected, options) {
-        findings.retain(|finding| finding.code() != FindingCode::OddRadius);
+        findings.retain(|finding| finding.code() != OddRadius);
     }
     if let Some(mismatch) = mismatch {
-        let disagree =
-            findings.iter_mut().filter(|finding| finding.code() == FindingCode::MassSourcesDisagree);
+        let disagree = findings.iter_mut().filter(|finding| finding.code() == MassSourcesDisagree);
         disagree.for_each(|finding| finding.finding.message.push(&mismatch.clause_about_masses()));
     }
     // Figures under a gravity in another unit, or of a property whose name is misspelt, are not judged.
     let has_gravity = !in_other_units || options.stance.gravity_m_s2.is_some();
-    let doubtful = [FindingCode::SphereInTwoForces, FindingCode::LeftRightSwapped];
+    let doubtful = [SphereInTwoForces, LeftRightSwapped];
     let is_too_stiff = depth::find_too_stiff_contacts(&FigureCheck::new(inspected, &remedies)).is_some();
     if doubtful.into_iter().any(has_finding) || is_too_stiff {
         // Numbers that suit forces which are doubled, on the other foot or in another unit are wrong without the fault.
         remedies = remedies.none_yet();
     }
-    if has_gravity && !has_finding(FindingCode::UnknownName) {
+    if has_gravity && !has_finding(UnknownName) {
         findings.extend(apply_figure_rules(&FigureCheck::new(inspected, &remedies)));
     }
     if [LeftRightDiffer, LeftRightPlaces, SpheresMisplaced].into_iter().any(has_finding) {
@@ -118,11 +114,11 @@ fn collect_findings(
     }
     if options.selection.apply(model).is_err_and(|fault| matches!(fault.kind, FaultKind::NoContacts { .. })) {
         // A model without contacts needs neither a number of spheres nor a mass.
-        let is_needed = |code| ![FindingCode::CountUnknown, FindingCode::MassUnknown].contains(&code);
+        let is_needed = |code| ![CountUnknown, MassUnknown].contains(&code);
         findings.retain(|finding| is_needed(finding.code()));
     }
     if let Some(bare) = contacts::find_bare_model(options, model) {
-        let causes = [FindingCode::IgnoredContacts, FindingCode::FootSphereOnGround];
+        let causes = [IgnoredContacts, FootSphereOnGround];
         findings.extend((!causes.into_iter().any(has_finding)).then(|| bare.into()));
     }
     findings.extend(another_mass);
@@ -131,7 +127,7 @@ fn collect_findings(
     let place_findings = place_findings.into_iter().filter(|one| !is_accused(one, &findings));
     findings.extend(place_findings.collect::<Vec<_>>());
     findings.extend(other_findings.iter().cloned().map(FindingWithRemedy::from));
-    if has_finding(FindingCode::UnknownName) {
+    if has_finding(UnknownName) {
         findings.retain(|finding| !is_effect_of_misspelling(finding.code()));
     }
     for remedy in findings.iter_mut().filter_map(|finding| finding.remedy.as_mut()) {

@@ -118,8 +118,8 @@ const LEAST_FORCE_AT_REST: f64 = 0.9;
 pub(super) fn find_weak_at_rest(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> {
     let affected = check.spheres_with(|sphere| {
         let parameters = &check.force_of(sphere)?.parameters;
-        let smoothing = parameters.get(Property::HuntCrossleySmoothing)?;
-        let at_rest = 2.0 * smoothing / (3.0 * parameters.get(Property::Dissipation)?);
+        let smoothing = parameters.get(Property::HuntCrossleySmoothing.as_str())?;
+        let at_rest = 2.0 * smoothing / (3.0 * parameters.get(Property::Dissipation.as_str())?);
         Some(0.5 - 0.5 * libm::tanh(at_rest)).filter(|lost| *lost > 1.0 - LEAST_FORCE_AT_REST)
     })?;
     let text = format!(

@@ -17,7 +17,9 @@ pub use kind::FaultKind;
 pub use missing_fact::{CountedSpheres, ForcesOfAnimal, MissingFact};
 pub use reasons::{GravityFor, NoteDoubt, RadiusChangeReason, UnknownFactors};
 pub(crate) use suspicion::POUND_KG;
-pub use suspicion::{MassMistake, MassesOfOtherRows, Suspicion, YesQuestion, advice_on_units, probable_units};
+pub use suspicion::{
+    MassMistake, MassesOfOtherRows, Suspicion, YesQuestion, advice_on_units, probable_units,
+};
 
 /// An error in a model or a request, with its place in a file.
 ///

@@ -287,9 +287,8 @@ pub fn advice_on_units(length_m: f64, times: f64) -> String {
 
 fn doubt_about_radius(sphere: &str, radius_m: f64, longest_m: f64, usual_m: Option<f64>) -> String {
     let (radius, longest) = (readable(radius_m), four_significant(longest_m));
-    let meant = usual_m.map(|like_m| {
-        format!(": radii are in m{}", advice_on_units(radius_m, radius_m / like_m))
-    });
+    let meant =
+        usual_m.map(|like_m| format!(": radii are in m{}", advice_on_units(radius_m, radius_m / like_m)));
     format!(
         "the radius of {sphere} would be {radius} m, and the joints of its body and of those next to it are at most \
          {longest} m apart{}",
