@@ -78,6 +78,7 @@ fn note_records_stance_limbs_alone() {
     dir.run("doubt.osim --target-mass 80 -o no.osim").exited_with(1).says(&["--contacts-mass"]);
     // Without either option the call is refused, and so is a model that has nothing to note.
     dir.run("note human.osim").exited_with(2).says(&["--contacts-mass"]);
+    dir.run("note --contacts-mass 62").usage_error().says(&["no model given"]);
     dir.run("remove human.osim -o bare.osim").succeeded();
     let run = dir.run("note bare.osim --contacts-mass 62").failed().wrote_nothing();
     run.says(&["the model has no contacts"]);

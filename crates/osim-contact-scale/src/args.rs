@@ -222,13 +222,18 @@ pub(crate) fn typed_call(matches: &ArgMatches) -> Result<Result<Call, RequestFau
     })
 }
 
-/// Refuses a `set` without models. On the command line, models and values to set share one list of arguments.
+/// Refuses a `set` or `note` without models. On the command line, models and values to set share one list of arguments.
 fn with_models(request: Request) -> Result<Request, RequestFault> {
-    match request {
-        Request::Set(set) if set.models.is_empty() => Err(RequestFault::general(
-            "no model given, expected one or more .osim files or folders (see set --help)",
+    let models = match &request {
+        Request::Set(set) => Some(&set.models),
+        Request::Note(note) => Some(&note.models),
+        _ => None,
+    };
+    match models.is_some_and(Vec::is_empty) {
+        true => Err(RequestFault::general(
+            "no model given, expected one or more .osim files or folders (see --help)",
         )),
-        request => Ok(request),
+        false => Ok(request),
     }
 }
 
