@@ -101,7 +101,7 @@ pub(crate) fn suggested_list(words: &[String]) -> Option<String> {
     words.windows(3).find_map(|typed| match typed {
         [option, first, next] if takes_list(option) && is_value(first) && is_value(next) => {
             let first = first.trim_end_matches(',');
-            Some(format!("'{next}' is no file: did you mean {option} {first},{next}? (see --help)"))
+            Some(format!("'{next}' is not a file: did you mean {option} {first},{next}? (see --help)"))
         }
         _ => None,
     })

@@ -176,7 +176,7 @@ fn each_finding_has_the_value_of_its_figure_and_the_limit() {
             "smoothing switches contact on over 0.5889 R, limit 0.31 R (heel_r)",
         ),
         (
-            // tanh(1/3) is 0.3215 (mpmath).
+            // tanh(1/3) is 0.3215.
             FindingCode::WideTransition,
             SmoothContact { hunt_crossley_smoothing: 0.15, ..SOLE },
             "a sphere at rest presses with 0.6608 of its force, expected 0.9 or more: hunt_crossley_smoothing is too small for the dissipation (heel_r)",

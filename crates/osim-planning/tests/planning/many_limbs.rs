@@ -72,7 +72,7 @@ fn what_is_proposed_for_a_horse_puts_it_right_on_one_limb_and_on_two() {
 }
 
 #[test]
-fn a_horse_is_told_how_deep_it_is_on_two_limbs() {
+fn the_depth_of_a_horse_on_two_limbs_is_said() {
     // x̂ is 0.560829 on one limb, and 2^(-2/3) of that, 0.3533, on two, as that of Falisse et al. (2022).
     let said = |stance: Stance| {
         let options = InspectOptions { stance, ..InspectOptions::default() };
@@ -121,7 +121,7 @@ fn a_horse_that_two_limbs_carry_is_not_told_to_change() {
 }
 
 #[test]
-fn a_transfer_to_a_horse_asks_how_many_limbs_carry_it() {
+fn a_transfer_to_a_horse_says_how_many_limbs_carry_it() {
     let files = InMemory::from_iter([(NAME, HORSE.to_owned())]);
     let says = |more: &str| {
         let request = format!(r#"{{"verb": "transfer", "models": ["{NAME}"], "from": "falisse2022"{more}}}"#);
