@@ -204,17 +204,16 @@ fn column(
     Ok(Column { header: cell.to_owned(), field, kind })
 }
 
-/// The spellings of the unit of options whose values the help calls `value_name`, the usual one first: in small letters, without blanks and
-/// marks. Empty for numbers without a unit.
+/// The spellings of the unit of options whose values the help calls `value_name`, the usual one first. Empty for numbers without a unit.
 fn units_of(value_name: &str) -> &'static [&'static str] {
     match value_name {
         "KG" => &["kg", "kgs", "kilogram", "kilograms"],
         "METRES" | "RULE" => &["m", "metre", "metres", "meter", "meters"],
-        "E" | "E1" | "N/M2" => &["n/m2", "pa", "pascal", "pascals", "nm-2"],
-        "N/M" => &["n/m", "nm-1"],
-        "M/S" => &["m/s", "ms-1"],
-        "G" => &["m/s2", "ms-2"],
-        "S_PER_M" => &["s/m", "sm-1"],
+        "E" | "E1" | "N/M2" => &["N/m2", "Pa", "pascal", "pascals", "N m-2"],
+        "N/M" => &["N/m", "N m-1"],
+        "M/S" => &["m/s", "m s-1"],
+        "G" => &["m/s2", "m s-2"],
+        "S_PER_M" => &["s/m", "s m-1"],
         "PER_M" => &["1/m", "m-1", "/m"],
         "M2" => &["m2"],
         _ => &[],
@@ -231,16 +230,11 @@ fn refuse_other_unit(cell: &str, field: &str) -> Result<(), Phrase> {
     let option = option_named(Verb::Rescale, field);
     let units = option.map(|option| units_of(option.value_name)).unwrap_or_default();
     let of_other = ["%", "percent", "mm", "cm", "in", "inch", "inches"].contains(&last.as_str());
-    let is_of_option = [spelled(unit), last].iter().any(|one| units.contains(&one.as_str()));
+    let is_of_option = units.iter().any(|one| [spelled(unit), last.clone()].contains(&spelled(one)));
     if is_of_option || (units.is_empty() && !of_other) {
         return Ok(());
     }
-    let expected = match units.first() {
-        Some(&"n/m2") => "N/m2",
-        Some(&"n/m") => "N/m",
-        Some(&usual) => usual,
-        None => "a number without a unit",
-    };
+    let expected = units.first().copied().unwrap_or("a number without a unit");
     let what = format!("numbers are not converted, expected {expected}, not {unit}");
     Err(format!("the column '{cell}': {what}{WAY_OUT}").into())
 }

@@ -1,6 +1,6 @@
 //! The numbers that a force on the left gets from the proposed command, if the force on the right has other numbers.
 
-use crate::checks::{check_text, check_with, find, remedy};
+use crate::checks::{check_text, check_with, find, remedy, with_text_replaced};
 use osim_inspect::InspectOptions;
 use osim_model::{FindingCode, Selection};
 use serde_json::{Value, json};
@@ -18,13 +18,6 @@ const MODEL_OF_THREE_MATERIALS: &str = include_str!("../../../../fixtures/format
 fn assert_copied(text: &str, expected: &Value) {
     let copied = remedy(&check_text(text), FindingCode::LeftRightDiffer);
     assert_eq!(&copied["set"], expected);
-}
-
-/// The model `text` in which the first `old` after `start` is replaced by `new`.
-fn with_text_replaced(text: &str, start: &str, old: &str, new: &str) -> String {
-    let (before, rest) = text.split_at(text.find(start).unwrap());
-    assert!(rest.contains(old), "{old}");
-    format!("{before}{}", rest.replacen(old, new, 1))
 }
 
 #[test]

@@ -3,21 +3,15 @@
 use osim_inspect::Sign;
 use osim_model::{FindingCode, Severity};
 
-use crate::checks::{check_text, find, has};
+use crate::checks::{check_text, find, has, with_text_replaced};
 
 /// A human with the contacts of Falisse et al. (2022), six forces on each side.
 const HUMAN: &str = include_str!("../../../../fixtures/check/known_contacts.osim");
 
-/// The model in which the first `old` after `start` is replaced by `new`.
-fn edited(start: &str, old: &str, new: &str) -> String {
-    let (before, rest) = HUMAN.split_at(HUMAN.find(start).unwrap());
-    assert!(rest.contains(old), "{old}");
-    format!("{before}{}", rest.replacen(old, new, 1))
-}
-
 #[test]
 fn each_fault_is_said_once() {
     use FindingCode::{OddNumber, OddRadius, OutOfDomain, SphereOfOtherSide, SpheresMisplaced};
+    let edited = |start: &str, old: &str, new: &str| with_text_replaced(HUMAN, start, old, new);
     let sphere = "ContactSphere name=\"s1_r\"";
     for (text, code, place) in [
         (edited(sphere, ">0.032<", ">0,32<"), OddNumber, "/contactgeometryset/s1_r"),
@@ -40,7 +34,7 @@ fn each_fault_is_said_once() {
 /// Under ten times the gravity these contacts sink in up to their centres, and nothing is wrong with them.
 #[test]
 fn figures_under_a_gravity_that_is_wrong_are_not_judged() {
-    let found = check_text(&edited("<gravity>", ">0 -9.81 0<", ">0 -98.1 0<"));
+    let found = check_text(&with_text_replaced(HUMAN, "<gravity>", ">0 -9.81 0<", ">0 -98.1 0<"));
     let severe = found.findings.iter().filter(|one| one.severity > Severity::Remark);
     assert_eq!(severe.map(|one| one.code()).collect::<Vec<_>>(), [FindingCode::OddGravity]);
     let unknown = found.verdicts.iter().filter(|verdict| verdict.sign == Sign::Unknown);
@@ -55,8 +49,8 @@ fn no_command_hides_the_fault() {
     const FEET: &str = include_str!("../../../../fixtures/scale_tool/generic_hunt_crossley.osim");
     let exchanged = HUMAN.replace("<stiffness>1000000<", "<stiffness>0.8<");
     let exchanged = exchanged.replace("<static_friction>0.8<", "<static_friction>1000000<");
-    let (before, heel) = FEET.split_at(FEET.find("<ContactSphere name=\"heel_r\">").unwrap());
-    let larger = format!("{before}{}", heel.replacen(">0.032000000000000001<", ">0.062<", 1));
+    let heel = "<ContactSphere name=\"heel_r\">";
+    let larger = with_text_replaced(FEET, heel, ">0.032000000000000001<", ">0.062<");
     for (text, codes) in [
         (exchanged, [FindingCode::LargeFriction, FindingCode::SunkIn]),
         (larger, [FindingCode::LeftRightDiffer, FindingCode::UnevenBottoms]),

@@ -59,3 +59,10 @@ pub fn remedy_without_models(remedy: Option<&Request>) -> Value {
     fields.shift_remove("models");
     Value::Object(fields)
 }
+
+/// The model `text` in which the first `old` after `start` is replaced by `new`.
+pub fn with_text_replaced(text: &str, start: &str, old: &str, new: &str) -> String {
+    let (before, rest) = text.split_at(text.find(start).unwrap());
+    assert!(rest.contains(old), "{old}");
+    format!("{before}{}", rest.replacen(old, new, 1))
+}
