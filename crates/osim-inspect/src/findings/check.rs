@@ -99,7 +99,8 @@ fn collect_findings(
     // Figures under a gravity in another unit, or of a property whose name is misspelt, are not judged.
     let has_gravity = !in_other_units || options.stance.gravity_m_s2.is_some();
     let doubtful = [SphereInTwoForces, LeftRightSwapped];
-    let is_too_stiff = depth::find_too_stiff_contacts(&FigureCheck::new(inspected, &remedies)).is_some();
+    let too_stiff = depth::find_too_stiff_contacts(&FigureCheck::new(inspected, &remedies));
+    let is_too_stiff = too_stiff.is_some_and(|finding| finding.severity > Severity::Remark);
     if doubtful.into_iter().any(has_finding) || is_too_stiff {
         // Numbers that suit forces which are doubled, on the other foot or in another unit are wrong without the fault.
         remedies = remedies.none_yet();

@@ -182,12 +182,14 @@ fn advice_for_other_number_of_limbs(carrying: f64) -> Phrase {
     ]
 }
 
-/// Contacts whose spheres sink in by less than this, x/R, are too stiff. Published contacts sink in by 0.06 or more.
+/// Contacts whose spheres sink in by less than this, x/R, are too stiff. Published contacts sink in by 0.03 or more.
 const LEAST_PLAUSIBLE_INDENTATION: f64 = 1e-3;
+/// Contacts whose spheres sink in by less than this, x/R, are a remark. A thousand times the stiffness of published gait models gives less.
+const LEAST_USUAL_INDENTATION: f64 = 1e-2;
 
 rule! { pub(super) TOO_STIFF: TooStiff, Warning, Solver;
-    what: "The contacts are far too stiff: at body weight on one limb, spheres sink in by less than 0.001 R.",
-    why: "No foot is so stiff, and a solver takes steps of microseconds, or fails. Published contacts sink in by 0.06 R or more. Mostly the stiffness is in another unit, or has a digit too many.",
+    what: "The contacts are far too stiff: at body weight on one limb, spheres sink in by less than 0.001 R. It is a remark up to 0.01 R.",
+    why: "No foot is so stiff, and a solver takes steps of microseconds, or fails. Published contacts sink in by 0.03 R or more. Mostly the stiffness is in another unit, or has a digit too many.",
     advice: "Write the stiffness in N/m2, such as 1e6 for a human",
     repair: Repair::NotPossible("only you know the right stiffness"),
     example: Example::ElementText { tag: "stiffness", good: "4.4876e7", bad: "4.4876e13" },
@@ -195,16 +197,19 @@ rule! { pub(super) TOO_STIFF: TooStiff, Warning, Solver;
 
 /// Finds contacts that are so stiff that their spheres hardly sink in.
 pub(crate) fn find_too_stiff_contacts(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> {
-    // The smallest of them is the worst.
-    let negative = |sphere: &SphereFigures| Some(-sphere.value(Figure::Indentation)?);
-    let affected =
-        check.spheres_with(|sphere| negative(sphere).filter(|x| *x > -LEAST_PLAUSIBLE_INDENTATION))?;
-    let x = four_significant(-affected.largest);
-    let text = format!(
-        "too stiff: at body weight on {} spheres sink {x} R into the floor (x/R by Hertz), expected at least {LEAST_PLAUSIBLE_INDENTATION}",
-        check.inspected.carriers
-    );
-    Some(check.finding_at_sphere(&TOO_STIFF, &text, &affected).into())
+    let below = |least: f64| {
+        // The smallest of them is the worst.
+        let too_small = |sphere: &SphereFigures| sphere.value(Figure::Indentation).filter(|x| *x < least);
+        let affected = check.spheres_with(|sphere| too_small(sphere).map(|x| -x))?;
+        let x = four_significant(-affected.largest);
+        let text = format!(
+            "too stiff: at body weight on {} spheres sink {x} R into the floor (x/R by Hertz), expected at least {least}",
+            check.inspected.carriers
+        );
+        Some(check.finding_at_sphere(&TOO_STIFF, &text, &affected))
+    };
+    let unusual = || Some(below(LEAST_USUAL_INDENTATION)?.with_severity(Severity::Remark));
+    below(LEAST_PLAUSIBLE_INDENTATION).or_else(unusual).map(FindingWithRemedy::from)
 }
 
 rule! { pub(super) BEYOND_HERTZ: BeyondHertz, Remark, Mass;

@@ -338,6 +338,18 @@ fn spheres_that_no_force_presses_with_are_a_warning() {
 }
 
 #[test]
+fn contacts_a_thousand_times_as_stiff_as_published_ones_are_a_remark() {
+    for (x_hat, severity) in
+        [(0.0005, Some(Severity::Warning)), (0.005, Some(Severity::Remark)), (0.02, None)]
+    {
+        let sole = SmoothContact { stiffness: stiffness_for(x_hat, WEIGHT_N), ..SOLE };
+        let found = check_foot(&[sole]);
+        let too_stiff = found.findings.iter().find(|one| one.code() == FindingCode::TooStiff);
+        assert_eq!(too_stiff.map(|one| one.severity), severity, "{x_hat}");
+    }
+}
+
+#[test]
 fn no_design_is_proposed_for_contacts_in_another_unit_or_doubled() {
     let stiff = HUMAN.replace(">1000000<", ">1000000000000<");
     let (before, rest) = HUMAN.split_once("<ForceSet").unwrap();
