@@ -89,9 +89,9 @@ impl MeasuredForces {
                 measured.add_plate(plate, (usage.by, may_be_on.as_slice()), feet, states, least_n);
             }
         }
-        measured.clear_frames_beside_plates(feet, states, weight_n);
         let is_on_none = |foot: &usize| !may_be_on.iter().any(|feet| feet.contains(foot));
         (0..feet.len()).filter(is_on_none).for_each(|foot| measured.feet[foot].fill(None));
+        measured.clear_frames_beside_plates(feet, states, weight_n);
         measured
     }
 

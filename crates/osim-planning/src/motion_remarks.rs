@@ -198,7 +198,7 @@ impl MotionResult {
         for (name, frames) in names.zip(&measured.beside).filter(|(_, frames)| **frames > 0) {
             let text =
                 format!("{name}: in {frames} frames it seems to stand beside the plates: it is as low and");
-            let why = "as still as on them, but no force is measured. These frames are not compared";
+            let why = "as still as a foot on them, but no force is measured. These frames are not compared";
             remarks.add("beside-plates", format!("{text} {why}"));
         }
         let lost = |one: &&PlateAssignment| one.by.is_none();
