@@ -302,9 +302,10 @@ fn two_feet_on_one_plate_are_said() {
 fn another_origin_of_the_plates_is_said() {
     let Some(dir) = subject("another origin", "smooth") else { return };
     let why = || consistency(&dir, SUBJECT_CALL, "")["why"].to_string();
-    assert!(!why().contains("centres of pressure"), "{}", why());
+    assert!(!why().contains("centres of pressure") && why().contains("as in half of all"), "{}", why());
     change(&dir, "subject01_walk1_grf.mot", "_pz", |value, _| value + 0.15);
     assert!(why().contains("mm apart: have plates and motion the same origin and time?"), "{}", why());
+    assert!(!why().contains("as in half of all"), "{}", why());
 }
 
 /// Fore-aft or sideways forces of the other sign are opposite to what the motion of the body needs.
