@@ -3,7 +3,7 @@
 
 use osim_model::{DVec3, Document, ElementId, opensim_text};
 
-use crate::{Column, Gap, MotionFault, Table, Wrench};
+use crate::{Column, Gap, MotionFault, Table, Wrench, gaps};
 
 /// A force plate with its measurements.
 #[derive(Debug, Clone, PartialEq)]
@@ -99,7 +99,8 @@ impl Plate {
                 free.with_force(at(force, row), at(point, row))
             })
             .collect();
-        let gaps = table.gaps().into_iter().filter(|gap| gap.length_s() > LONGEST_BRIDGED_GAP_S).collect();
+        let gaps =
+            gaps(&table.time_s).into_iter().filter(|gap| gap.length_s() > LONGEST_BRIDGED_GAP_S).collect();
         Ok(Self { name: name.to_owned(), body, has_points, time_s: table.time_s.clone(), wrenches, gaps })
     }
 

@@ -351,13 +351,8 @@ fn frames_between(time_s: &[f64], (from_s, to_s): (f64, f64)) -> Range<usize> {
 
 /// The index of the largest value, and the value.
 fn largest_with_index(values: &[f64]) -> (usize, f64) {
-    let mut best = (0, f64::NEG_INFINITY);
-    for (index, &value) in values.iter().enumerate() {
-        if value > best.1 {
-            best = (index, value);
-        }
-    }
-    best
+    let all = values.iter().copied().enumerate();
+    all.fold((0, f64::NEG_INFINITY), |best, one| if one.1 > best.1 { one } else { best })
 }
 
 /// The median slip velocity of the states, component by component, m/s.

@@ -194,23 +194,14 @@ impl Table {
         (self.time_s, self.columns, self.lines) = (time_s, columns, numbers);
         Ok(())
     }
-
-    /// The time spans in which rows are missing: steps longer than 1.5 times the median step.
-    ///
-    /// ```
-    /// use osim_motion::Table;
-    ///
-    /// let table = Table::read(b"endheader\ntime x\n0.00 1\n0.01 1\n0.02 1\n0.05 1\n0.06 1\n")?;
-    /// let gaps = table.gaps();
-    /// assert_eq!((gaps.len(), gaps[0].from_s, gaps[0].to_s), (1, 0.02, 0.05));
-    /// # Ok::<(), osim_motion::MotionFault>(())
-    /// ```
-    pub fn gaps(&self) -> Vec<Gap> {
-        gaps(&self.time_s)
-    }
 }
 
-/// The time spans in which rows are missing, for rows at these times, as [`Table::gaps`].
+/// The time spans in which rows at these times are missing: steps longer than 1.5 times the median step.
+///
+/// ```
+/// let gaps = osim_motion::gaps(&[0.00, 0.01, 0.02, 0.05, 0.06]);
+/// assert_eq!((gaps.len(), gaps[0].from_s, gaps[0].to_s), (1, 0.02, 0.05));
+/// ```
 pub fn gaps(time_s: &[f64]) -> Vec<Gap> {
     let steps = time_s.windows(2).map(|pair| Gap { from_s: pair[0], to_s: pair[1] });
     let mut lengths: Vec<f64> = steps.clone().map(|step| step.length_s()).collect();
@@ -422,8 +413,7 @@ mod tests {
     }
 
     fn gaps(times: &[f64]) -> Vec<(f64, f64)> {
-        let table = Table::from_times(times.to_vec()).unwrap();
-        table.gaps().iter().map(|gap| (gap.from_s, gap.to_s)).collect()
+        super::gaps(times).iter().map(|gap| (gap.from_s, gap.to_s)).collect()
     }
 
     #[test]

@@ -9,7 +9,7 @@ use osim_model::{DVec3, Fault, MassRequest, Model};
 use osim_motion::correct::Correction;
 use osim_motion::{
     AngleUnit, Belt, ContactStates, ExternalLoads, Foot, Gap, LONGEST_BRIDGED_GAP_S, MeasuredForces,
-    MotionFault, Plate, PressureOnSole, Recording, RecordingOptions, StatesError, Summary, Table,
+    MotionFault, Plate, PressureOnSole, Recording, RecordingOptions, StatesError, Summary, Table, gaps,
 };
 use osim_requests::{AngleChoice, CheckRequest, MotionRequest, Positive, RequestFault, Result, Signed};
 
@@ -274,7 +274,7 @@ impl PlatesRead {
         if let Some(delay_s) = delay_s {
             table.time_s.iter_mut().for_each(|time_s| *time_s -= delay_s.get());
         }
-        let (gaps, repeated_rows) = (table.gaps(), std::mem::take(&mut table.repeated));
+        let (gaps, repeated_rows) = (gaps(&table.time_s), std::mem::take(&mut table.repeated));
         let file = file.to_owned();
         let Some(path) = loads else {
             let plates = Plate::from_columns(&table).map_err(|fault| failure(&file, &fault))?;
