@@ -194,6 +194,10 @@ fn wrong_recordings_are_refused_with_a_reason() {
         "motion walker.osim words.sto",
         "words.sto: line 4: column 'ankle_r': 'ten' is not a number",
     );
+    let loads = dir.text("plates.xml").replace("_body>ground<", "_body>foot_r<");
+    dir.write("turned.xml", loads);
+    let turned = CALL_WITH_PLATES.replace("plates.xml", "turned.xml");
+    assert_refused(&dir, &turned, "turned.xml: load 'right' is expressed in 'foot_r'");
     dir.write("back.sto", format!("{head}0\t0\n0.2\t0\n0.1\t0\n"));
     assert_refused(&dir, "motion walker.osim back.sto", "back.sto: line 6: its time is 0.1 s, after 0.2 s");
     dir.write("gap.sto", format!("{head}0\t0\n0.1\tnan\n"));

@@ -281,7 +281,9 @@ impl PlatesRead {
             return Ok(Self { file, loads: None, other_data_file: None, plates, gaps, repeated_rows });
         };
         let loads = read_loads(path, files)?;
-        let plates = Plate::from_loads(&table, &loads).map_err(|fault| failure(&file, &fault))?;
+        // A fault with a line is one of the table.
+        let place = |fault: &MotionFault| if fault.line.is_some() { file.as_path() } else { path };
+        let plates = Plate::from_loads(&table, &loads).map_err(|fault| failure(place(&fault), &fault))?;
         let own_name = file.file_name().map(|name| name.to_string_lossy().into_owned());
         let other_data_file =
             loads.data_file_name().map(str::to_owned).filter(|named| Some(named) != own_name.as_ref());
