@@ -346,7 +346,7 @@ fn figures_in_words(correction: &Correction, soles: &[Option<PressureOnSole>]) -
         format!("force, error of the worst foot in body weights (rms): {force}"),
         apart + &belt,
         dynamics_in_words(&correction.dynamics),
-        "this cannot show that the stiffness is right: stiffer contacts agree as well".to_owned(),
+        "this cannot show that the stiffness is right: stiffer contacts get the same verdict".to_owned(),
     ]
 }
 
