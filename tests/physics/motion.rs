@@ -310,6 +310,11 @@ fn another_origin_of_the_plates_is_said() {
     change(&dir, "subject01_walk1_grf.mot", "_pz", |value, _| value + 0.15);
     assert!(why().contains("mm apart: have plates and motion the same origin and time?"), "{}", why());
     assert!(!why().contains("as in half of all"), "{}", why());
+    // Points in mm are said once, and not of each foot.
+    change(&dir, "subject01_walk1_grf.mot", "_pz", |value, _| value - 0.15);
+    change(&dir, "subject01_walk1_grf.mot", "_p", |value, _| value * 1000.0);
+    let said = dir.run(&format!("{SUBJECT_CALL} --format json")).succeeded().out();
+    assert_eq!(said.matches("points in mm").count(), 1, "{said}");
 }
 
 /// Fore-aft or sideways forces of the other sign are opposite to what the motion of the body needs.

@@ -47,7 +47,8 @@ impl MotionResult {
             let (feet, weight_n) = (self.feet(), self.summary.weight_n);
             let contacts = (&self.states, feet.as_slice());
             let seen = mismatches(&self.opened.model, &self.recording, contacts, measured, weight_n);
-            for cause in seen.unwrap_or_default().iter().filter(|cause| cause.prevents_comparison()) {
+            let seen = seen.unwrap_or_default();
+            if let Some(cause) = seen.iter().find(|cause| cause.prevents_comparison()) {
                 remarks.add("disagree", cause_in_words(cause, &feet, 0.0));
             }
         }
