@@ -232,7 +232,7 @@ pub(crate) fn cause_in_words(cause: &Mismatch, feet: &[Foot], given_delay_s: f64
         Mismatch::SharedPlate { foot, time_s } => {
             let (foot, time) = (name(foot), two_digits(time_s));
             let text = format!("for {time} s the force of the {foot} lies midway between it and another");
-            text + " foot: each foot needs a plate of its own"
+            text + " foot: do both stand on one plate?"
         }
         Mismatch::Delay { late_s } => {
             let (ms, when) = (1e3 * late_s.abs(), if late_s > 0.0 { "later" } else { "earlier" });
