@@ -21,6 +21,9 @@ const LARGEST_PLAUSIBLE_ANGLE_RAD: f64 = std::f64::consts::TAU;
 /// An angle is far outside its range by more than this, rad: right motions are not, in most frames.
 const FAR_OUTSIDE_RAD: f64 = 0.0873;
 
+/// Nothing turns or moves as far as this between two rows, rad or m, and as fast, rad/s or m/s.
+const JUMP: (f64, f64) = (0.5, 50.0);
+
 /// The options with which a motion file is read.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct RecordingOptions {
@@ -59,6 +62,8 @@ pub struct RecordingFacts {
     pub kept: Vec<String>,
     /// Angles that are far outside the range of their coordinate in most frames.
     pub outside: Vec<String>,
+    /// The first coordinate that jumps, and the time before, s.
+    pub jump: Option<(String, f64)>,
     /// Coordinates that a coupler computes from other coordinates.
     pub coupled: Vec<String>,
     /// Whether the table has the speed of every coordinate whose value it has.
@@ -94,6 +99,7 @@ impl Recording {
                 unused,
                 kept: Vec::new(),
                 outside: Vec::new(),
+                jump: None,
                 coupled: Vec::new(),
                 speeds_given: are_given(&columns),
                 unenforced: Vec::new(),
@@ -116,7 +122,21 @@ impl Recording {
         }
         recording.apply_couplers(&Couplers::of(model))?;
         recording.facts.outside = recording.outside_ranges();
+        recording.facts.jump = recording.first_jump();
         Ok(recording)
+    }
+
+    /// The first coordinate that jumps, and the time before, s.
+    fn first_jump(&self) -> Option<(String, f64)> {
+        let (least, least_rate) = JUMP;
+        let jump = |(index, coordinate): (usize, &ModelCoordinate)| {
+            let by = |frame: usize| (self.values(frame)[index] - self.values(frame - 1)[index]).abs();
+            let step_s = |frame: usize| self.time_s[frame] - self.time_s[frame - 1];
+            let mut frames = 1..self.frames();
+            let frame = frames.find(|&frame| by(frame) > f64::max(least, least_rate * step_s(frame)))?;
+            Some((coordinate.name.clone(), self.time_s[frame - 1]))
+        };
+        self.coordinates.iter().enumerate().find_map(jump)
     }
 
     /// The names of measured angles that are far outside the range of their coordinate in most frames.

@@ -267,15 +267,19 @@ fn verdict_in_words(
     let (left, is_usual) = (two_digits(left_bw), left_bw <= MOST_USUAL_VERTICAL_BW);
     let usual = if is_usual { ", as in half of all recordings" } else { "" };
     let large = format!("contacts and plates agree after a large correction only{usual}");
-    let outside = listed(&correction.recording.facts.outside, 3);
+    let facts = &correction.recording.facts;
+    let outside = listed(&facts.outside, 3);
+    let jump = facts.jump.as_ref();
+    let jump = jump.map(|(name, time_s)| format!(", and {name} jumps after {} s", readable(*time_s)));
     let far = figures.cop_rms_m().filter(|apart_m| *apart_m > FAR_PRESSURE_M).map(millimetres);
     let far = far.map(|apart| {
         format!("; centres of pressure stay {apart} apart: have plates and motion the same origin and time?")
     });
-    let cause = match outside.as_str() {
-        "" if far.is_some() => String::new(),
-        "" => ", and no cause is seen".to_owned(),
-        names => format!(", and {names} leave their ranges"),
+    let cause = match (outside.as_str(), jump) {
+        (_, Some(jump)) => jump,
+        ("", None) if far.is_some() => String::new(),
+        ("", None) => ", and no cause is seen".to_owned(),
+        (names, None) => format!(", and {names} leave their ranges"),
     };
     let unexplained = format!("contacts and plates do not agree after any correction{cause}");
     let far = far.unwrap_or_default();

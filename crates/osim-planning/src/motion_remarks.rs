@@ -141,6 +141,11 @@ impl MotionResult {
             let text = text + " are the motion's signs and units those of this model?";
             remarks.add("outside-range", text);
         }
+        if let Some((name, time_s)) = &facts.jump {
+            let time = readable(*time_s);
+            let text = format!("{name} jumps after {time} s: by a full turn, or are rows filled with 0?");
+            remarks.add("jump", text);
+        }
         if !facts.unused.is_empty() {
             let text = format!("columns that belong to no coordinate of the model: {}", names(&facts.unused));
             remarks.add("unused-columns", text);
