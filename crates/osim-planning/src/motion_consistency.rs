@@ -339,16 +339,16 @@ fn figures_in_words(correction: &Correction, soles: &[Option<PressureOnSole>]) -
     let centre = figures.cop_rms_m().map(|rms_m| format!("; centre of pressure {}", millimetres(rms_m)));
     let (vertical, across) = (errors(|errors| errors.vertical_bw), errors(|errors| errors.horizontal_bw));
     let force = format!("vertical {vertical}, horizontal {across}{}", centre.unwrap_or_default());
-    let apart = millimetres(figures.difference_of_feet_m().unwrap_or(0.0));
+    let apart = figures.difference_of_feet_m().map(millimetres);
+    let alike = apart.map(|apart| format!("left and right are lifted alike within {apart}; "));
     let depth = two_digits(figures.largest_relative_indentation);
     let belt_m_s = correction.belt_m_s.length();
     let belt = if belt_m_s > 0.0 { format!("; the belt moves at {belt_m_s:.2} m/s") } else { String::new() };
     let parts = lifts_in_words(figures, soles);
-    let apart =
-        format!("{parts}left and right are lifted alike within {apart}; spheres are at most {depth} R deep");
+    let depths = format!("{parts}{}spheres are at most {depth} R deep", alike.unwrap_or_default());
     [
         format!("force, error of the worst foot in body weights (rms): {force}"),
-        apart + &belt,
+        depths + &belt,
         dynamics_in_words(&correction.dynamics),
         "this cannot show that the stiffness is right: stiffer contacts get the same verdict".to_owned(),
     ]

@@ -252,10 +252,12 @@ const LEAST_LIFT_IN_SCATTERS: f64 = 5.0;
 const MOST_DIFFERENCE_OF_FEET: f64 = 2.5;
 
 impl CorrectionFigures {
-    /// How much more the second of two feet is lifted than the first, m; `None` unless there are two.
+    /// How much more the second of two feet is lifted than the first, m; `None` unless plates carry two.
     pub fn difference_of_feet_m(&self) -> Option<f64> {
         match self.feet.as_slice() {
-            [first, second] => Some(second.mean_lift_m - first.mean_lift_m),
+            [first, second] if first.stance_s.min(second.stance_s) > 0.0 => {
+                Some(second.mean_lift_m - first.mean_lift_m)
+            }
             _ => None,
         }
     }
@@ -382,8 +384,8 @@ mod tests {
         let kilograms = figures(0.07, 0.07, 0.03, whole);
         assert_eq!(verdict(&kilograms), MotionVerdict::LargeCorrection);
         assert!(kilograms.unexplained_foot().is_some());
-        // Nothing carries a foot that is on no plate.
-        assert_eq!(verdict(&figures(0.05, 0.0, 0.0, (0.0, 0.0))), MotionVerdict::Agree);
+        // Nothing carries a foot that is on no plate, and its height is not known.
+        assert_eq!(verdict(&figures(0.05, 0.0, 0.03, (0.0, 0.0))), MotionVerdict::Agree);
         assert_eq!(verdict(&figures(0.03, 0.7, 0.018, whole)), MotionVerdict::Disagree);
         assert_eq!(verdict(&figures(0.03, 0.7, 0.018, (0.2, 0.007))), MotionVerdict::Agree);
         assert_eq!(verdict(&figures(0.03, 0.7, 0.03, (0.1, 0.001))), MotionVerdict::Disagree);
