@@ -42,7 +42,7 @@ inChromium("the motion is corrected: its verdict, its curves, its picture, and t
   const correction = page.locator(".correction");
   await correction.getByText(/contacts and plates agree: loaded spheres move/i).waitFor({ timeout: 60_000 });
   assert.equal(await correction.locator(".tag.good").innerText(), "agree");
-  const curves = page.getByRole("img", { name: /upward force in body weights, plates dashed, as recorded thin/ });
+  const curves = page.getByRole("img", { name: /upward force in body weights, plates dashed, recorded thin/ });
   assert.equal(await curves.count(), 2);
   const lines = curves.first().locator("polyline");
   assert.deepEqual(await lines.evaluateAll((all) => [...new Set(all.map((one) => one.getAttribute("class")))]), ["old", "before", "new"]);
@@ -52,6 +52,11 @@ inChromium("the motion is corrected: its verdict, its curves, its picture, and t
   await page.getByRole("radio", { name: "As recorded" }).check();
   await page.waitForFunction((count) => Number(document.getElementById("stage-canvas").dataset.drawn) > count, before);
   assert.notEqual(await said(), ofCorrected, "the words are about the motion that is shown");
+  await page.setViewportSize({ width: 390, height: 844 });
+  await page.waitForTimeout(300);
+  const [title, time] = await curves.first().locator("text").filter({ hasText: /foot| s$/ }).evaluateAll((all) => all.map((one) => one.getBoundingClientRect().toJSON()));
+  assert.ok(title.right < time.left, "the title is not over the time");
+  await page.setViewportSize({ width: 1280, height: 900 });
   const [download] = await user.downloads(user.button("Download walk.corrected.sto"), 1);
   const folder = new Folder(...FILES);
   const { status, stderr } = await folder.type(await correction.locator("code").innerText());

@@ -138,13 +138,14 @@ export class RecordingView {
       const all: (false | null | undefined | { kind: Curve["kind"]; of: PlayedForce })[] = [
         plates && { kind: "old", of: plates }, { kind: after ? "before" : "new", of: model }, after && { kind: "new", of: after },
       ];
-      const kinds = `${plates ? ", plates dashed" : ""}${after ? ", as recorded thin" : ""}`;
+      const kinds = `${plates ? ", plates dashed" : ""}${after ? ", recorded thin" : ""}`;
       const about = `${name}: upward force in body weights${kinds}; as text below`;
       const drawn = all.flatMap((curve) => (curve ? [{ kind: curve.kind, values: upward(curve.of) }] : []));
-      curves.show(drawn, `${name}, body weights${kinds}`, about, times[0] ?? 0, times[times.length - 1] ?? 0);
+      curves.show(drawn, `${name}${kinds}`, about, times[0] ?? 0, times[times.length - 1] ?? 0);
       return curves;
     });
-    this.#plots.replaceChildren(...this.#curves.map(({ element }) => element));
+    const unit = el("p", { class: "quiet stage-remark" }, feet.length > 0 ? "Upward force on each foot, in body weights:" : "");
+    this.#plots.replaceChildren(unit, ...this.#curves.map(({ element }) => element));
   }
 
   #showMoment(moment: number): void {
