@@ -70,6 +70,12 @@ inChromium("on a telephone the blue button leads to its result, and a long text 
   assert.ok(line.height > 40 && button.y + button.height <= line.y, JSON.stringify([button, line]));
 });
 
+inChromium("a single property that changes is named", async (user) => {
+  await user.open(given("check/force_before_contact.osim"));
+  await user.proposal.getByRole("button", { name: /^Change the contacts/ }).click();
+  await user.outcome.getByText(/^constant_contact_force (×\S+ )?changes\.$/).first().waitFor();
+});
+
 inChromium("the only model can be closed, also while its change is computed", async (user) => {
   await user.open(HUMAN);
   await user.field("Target mass (kg)").fill("80");

@@ -58,7 +58,7 @@ function pageFailure(code: string, message: string): Failure {
   return { code, message, needs_answer: false, fields: [] };
 }
 
-/** Properties that are said by name; the others are counted. */
+/** Properties that are said by name; the others are counted, if there are more than these. */
 const NAMED_PROPERTIES = ["radius", "stiffness", "dissipation"];
 
 /** What a change does, as a sentence: "12 spheres move; radius ×1.09, stiffness ×1.09 and 2 other properties change." */
@@ -74,7 +74,8 @@ export function changeText({ record: { objects, changes: all }, unchanged }: Cha
   });
   const moved = changes.filter(({ property }) => property === "location").length;
   const properties = [...new Set(changes.map(({ property }) => property))].filter((property) => property !== "location");
-  const named = properties.filter((property) => NAMED_PROPERTIES.includes(property)).map((property) => {
+  const isNamed = (property: string) => properties.length <= NAMED_PROPERTIES.length || NAMED_PROPERTIES.includes(property);
+  const named = properties.filter(isNamed).map((property) => {
     const factors = new Set(changes.filter((one) => one.property === property).map(({ factor }) => factor));
     const [factor] = factors;
     return factors.size === 1 && typeof factor === "number" ? `${property} ×${digits(factor)}` : property;
