@@ -3,7 +3,7 @@
 use std::collections::{HashMap, HashSet};
 
 use osim_inspect::{
-    Bottom, Figure, FindingIndex, FindingWithRemedy, InspectOptions, Inspection, LoadSharing, Stance,
+    Bottom, FindingIndex, FindingWithRemedy, InspectOptions, LoadSharing, SphereFigures, Stance,
     StandingBody, check_without_remedies, describe_unmatched_patterns,
 };
 use osim_model::feet::{MOST_LEAN_RAD, PoseFault, Standing};
@@ -118,7 +118,8 @@ impl PreparedChange {
             || self.answers.confirms(YesQuestion::WrongAfterwards);
         // Where lower spheres carry the body alone, the change is wrong only if it moved bottoms apart: else they hung lower before.
         let has_parted = !moved.uneven.is_empty();
-        let is_too_soft = inspected.as_ref().is_some_and(sinks_in_to_centres);
+        let mut figures = inspected.iter().flat_map(|inspected| inspected.figures.spheres());
+        let is_too_soft = figures.any(SphereFigures::is_in_to_centre);
         let is_wrong = |one: &&Finding| {
             let is_error = one.severity == Severity::Error && !one.had_before;
             match is_sunk_in(one) {
@@ -209,12 +210,6 @@ fn findings_of_result(
 /// A key for each place of a finding. If two findings have a key in common, they are about the same fault at the same place.
 fn cases_of(finding: &Finding) -> impl Iterator<Item = (FindingCode, Option<&str>, Severity)> {
     finding.paths_or_none().map(|place| (finding.code(), place, finding.severity))
-}
-
-/// Whether a sphere sinks in up to its centre when all spheres carry their share of the weight.
-fn sinks_in_to_centres(inspected: &Inspection) -> bool {
-    let mut spheres = inspected.figures.spheres();
-    spheres.any(|sphere| sphere.value(Figure::Indentation).is_some_and(|x| x >= 1.0))
 }
 
 /// All findings about `model`, without remedies.

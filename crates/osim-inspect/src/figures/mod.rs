@@ -22,6 +22,7 @@ use crate::figures::sphere_on_floor::{
 use crate::plane_judgement::weight_share_at_pose;
 use crate::{LoadSharing, Stance};
 
+pub(crate) use register::UP_TO_CENTRE_RADII;
 pub use register::{Figure, FigureVisibility, Figures, LimbFigures, LimitCheck, SphereFigures};
 
 impl Figures {

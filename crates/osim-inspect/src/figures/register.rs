@@ -258,6 +258,13 @@ impl LimbFigures {
     }
 }
 
+/// x̂ at which a sphere is in the floor up to its centre.
+pub(crate) const UP_TO_CENTRE_RADII: f64 = 1.0;
+/// A sphere whose x̂ with an equal share of the load is above this carries nothing: its stiffness lost digits.
+const CARRIES_NOTHING_RADII: f64 = 10.0;
+/// Tolerance for rounding errors of x̂.
+const ROUNDING_RADII: f64 = 1e-9;
+
 impl SphereFigures {
     /// The value of `figure`, or why it has none.
     fn compute(&self, figure: Figure) -> ComputedFigure {
@@ -268,6 +275,15 @@ impl SphereFigures {
     /// The value of `figure`; `None` if it is not known.
     pub fn value(&self, figure: Figure) -> Option<f64> {
         self.compute(figure).value()
+    }
+
+    /// Whether the sphere is in the floor up to its centre under one body weight, by the Hertz law. A soft sphere beside stiffer ones, as
+    /// of small toes, is less deep with level bottoms than with an equal share of the load.
+    pub fn is_in_to_centre(&self) -> bool {
+        let Some(x) = self.value(Figure::Indentation) else { return false };
+        let level = self.value(Figure::LevelIndentation).unwrap_or(x);
+        let is_held_by_others = level < UP_TO_CENTRE_RADII - ROUNDING_RADII && x < CARRIES_NOTHING_RADII;
+        x >= UP_TO_CENTRE_RADII && !is_held_by_others
     }
 
     /// Whether `figure` is within its limit; `None` if the value of the figure is not known, or the figure has no limit.

@@ -79,7 +79,7 @@ json_records! {
         /// The centre of the sphere in ground, m.
         #[serde(skip)]
         centre_m: DVec3 = over.centre_m,
-        /// Height of the bottom with all coordinates at 0, along the normal, m; null if that pose is not known.
+        /// Height of the bottom with all coordinates at 0, along the axis of ground nearest to the normal, m; null if it is not known.
         #[serde(skip)]
         height_at_zero_m: Option<f64> = over.height_at_zero_m,
     }

@@ -7,7 +7,8 @@ use osim_model::{Example, Finding, Repair, Rule, Severity, are_equal_masses};
 use osim_requests::Request;
 
 use crate::body_bones::is_named_after_foot;
-use crate::rules::figure_check::{FigureCheck, UP_TO_CENTRE_RADII, value_beyond_limit};
+use crate::figures::UP_TO_CENTRE_RADII;
+use crate::rules::figure_check::{FigureCheck, value_beyond_limit};
 use crate::rules::standing::{UnevenLimb, bottoms_by_path, level_feet};
 use crate::{Figure, FindingWithRemedy, SphereFigures};
 use osim_model::rule;
@@ -46,7 +47,7 @@ fn can_carry(check: &FigureCheck<'_>) -> impl Fn(&SphereFigures) -> bool {
 fn sunk_in_level(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> {
     let carries = can_carry(check);
     let affected = check.spheres_with(|sphere| {
-        sphere.value(Figure::Indentation).filter(|&x| x >= UP_TO_CENTRE_RADII && carries(sphere))
+        sphere.value(Figure::Indentation).filter(|_| sphere.is_in_to_centre() && carries(sphere))
     })?;
     let x = four_significant(affected.largest);
     let text = format!(

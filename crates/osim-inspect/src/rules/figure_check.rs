@@ -5,9 +5,6 @@ use osim_model::{Finding, Rule};
 use crate::findings::Remedies;
 use crate::{Figure, InspectedForce, Inspection, SphereFigures};
 
-/// x̂ at which a sphere is in the floor up to its centre.
-pub(super) const UP_TO_CENTRE_RADII: f64 = 1.0;
-
 /// The numbers of a model's spheres, which rules compare with limits, and the maker of remedies for the model.
 pub(crate) struct FigureCheck<'l> {
     pub(super) inspected: &'l Inspection,
