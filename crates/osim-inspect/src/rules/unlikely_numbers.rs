@@ -61,14 +61,13 @@ pub(super) fn find_default_outside_range(model: &Model) -> Vec<Finding> {
         let [least, most] = range_of(coordinate);
         coordinate.default.is_some_and(|value| value < least - distance || value > most + distance)
     };
-    let is_far = |one: &JointCoordinate| {
+    let severity_of = |one: &JointCoordinate| {
         let [least, most] = range_of(one);
-        is_outside_by(one, SMALL_PART_OF_RANGE * (most - least))
-    };
-    let severity_of = |one: &JointCoordinate| match one.clamped {
-        true => Severity::Error,
-        false if is_far(one) => Severity::Warning,
-        false => Severity::Remark,
+        match one.clamped {
+            true => Severity::Error,
+            false if is_outside_by(one, SMALL_PART_OF_RANGE * (most - least)) => Severity::Warning,
+            false => Severity::Remark,
+        }
     };
     let all = model.joints().iter().flat_map(|joint| joint.coordinates.iter().map(move |one| (joint, one)));
     let found: Vec<_> = all.filter(|(_, one)| is_outside_by(one, RANGE_TOLERANCE)).collect();
