@@ -1,6 +1,7 @@
 //! Rules about which contacts a model has, for which mass they were made, and who published them.
 
 use osim_model::messages::{Input, Phrase, counted, four_significant, phrase, readable, three_significant};
+use osim_model::opensim_text::trimmed;
 use osim_model::{
     Example, Fault, FaultKind, Finding, MassRequest, MassSource, Model, Pattern, Repair, Selection, Severity,
     Sphere, are_equal_masses,
@@ -33,7 +34,7 @@ pub(crate) fn find_bare_model(options: &InspectOptions, model: &Model) -> Option
         let is_left = |one: &&Sphere| {
             // A path of a muscle can wrap around a sphere.
             let is_wrapped =
-                wrapped.iter().any(|path| path.trim().rsplit('/').next() == Some(one.name.as_str()));
+                wrapped.iter().any(|path| trimmed(path).rsplit('/').next() == Some(one.name.as_str()));
             one.body.is_some() && model.forces().is_empty() && !is_wrapped
         };
         let moving = model.spheres().iter().filter(is_left);
