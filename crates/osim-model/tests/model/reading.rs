@@ -7,7 +7,7 @@
 
 use osim_model::{
     Companion, Document, Irregularity, Limbs, Model, Property, Selection, SetId, ValueOrigin,
-    are_equal_masses,
+    are_equal_masses, rounding_of_places_m,
 };
 
 /// The stiffness and radius in the fixtures of `format/`: a foot of 61.5 kg on a sphere of radius 0.0325 m.
@@ -465,5 +465,21 @@ fn frames_at_stations_that_are_on_themselves_or_each_other_are_refused() {
     for (one, other) in [("/one", "/bodyset/calcn_l"), ("/other", "/one"), ("/other", "/bodyset/calcn_l")] {
         let fault = model(one, other).unwrap_err().to_string();
         assert!(fault.contains("the points of /one are not found"), "{one}, {other}: {fault}");
+    }
+}
+
+/// Scripts write four decimals, or four significant digits; the last one of the largest number counts.
+#[test]
+fn places_with_few_digits_are_rounded() {
+    for (place_m, unit_m) in [
+        ([0.1335, -0.0093, 0.0017], 1e-4),
+        ([0.1335, -0.0093, 0.001711], 1e-4),
+        ([0.134, -0.0093, 0.00171], 1e-3),
+        ([0.133547, -0.0093, 0.001711], 0.0),
+        ([0.13, -0.01, 0.05], 0.0),
+        ([0.0; 3], 0.0),
+    ] {
+        let rounding_m = rounding_of_places_m([place_m].into_iter());
+        assert!((rounding_m - 0.5 * unit_m).abs() < 1e-8, "{place_m:?}: {rounding_m}");
     }
 }

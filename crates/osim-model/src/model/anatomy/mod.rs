@@ -89,18 +89,24 @@ impl AnatomySphere {
     }
 }
 
-/// Numbers of decimals that indicate rounded places, to 1 mm or 0.01 mm. With more decimals rounding does not matter; with fewer, a place
-/// is probably meant as a round number.
-const DECIMALS_OF_ROUNDED_PLACES: std::ops::RangeInclusive<i32> = 3..=5;
+/// Numbers of decimals, or of significant digits, that indicate rounded places, to 1 mm or 0.01 mm. With more of them rounding does not
+/// matter; with fewer, a place is probably meant as a round number.
+const DIGITS_OF_ROUNDED_PLACES: std::ops::RangeInclusive<usize> = 3..=5;
 
-/// Half a unit of the last decimal of the places, m; 0 if the number of decimals does not indicate rounding.
+/// Half a unit of the last decimal of the places, or of the last digit of the largest one, m; 0 if neither number indicates rounding.
 pub fn rounding_of_places_m(places: impl Iterator<Item = [f64; 3]>) -> f64 {
-    let decimals = |value: f64| {
+    let (mut decimals, mut digits, mut largest_m) = (0, 0, 0.0_f64);
+    for value in places.flatten().map(f64::abs) {
         let text = value.to_string();
-        text.split_once('.').map_or(0, |(_, decimals)| i32::try_from(decimals.len()).unwrap_or(i32::MAX))
-    };
-    let most = places.flatten().map(decimals).max().unwrap_or_default();
-    if DECIMALS_OF_ROUNDED_PLACES.contains(&most) { 0.500_001 * 10_f64.powi(-most) } else { 0.0 }
+        decimals = decimals.max(text.split_once('.').map_or(0, |(_, decimals)| decimals.len()));
+        digits = digits.max(text.replace('.', "").trim_start_matches('0').len());
+        largest_m = largest_m.max(value);
+    }
+    let of_decimals = (decimals, -(decimals as f64));
+    let of_digits = (digits, largest_m.log10().floor() + 1.0 - digits as f64);
+    let rounded = [of_decimals, of_digits].into_iter();
+    let rounded = rounded.filter(|(digits, _)| DIGITS_OF_ROUNDED_PLACES.contains(digits));
+    rounded.map(|(_, exponent)| 0.500_001 * 10_f64.powf(exponent)).fold(0.0, f64::max)
 }
 
 impl Anatomy {
