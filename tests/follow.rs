@@ -250,6 +250,18 @@ fn moved_or_resized_spheres_need_keep_or_replace() {
     );
 }
 
+/// Somebody multiplied places by factors of three digits.
+#[test]
+fn a_sphere_that_is_nearly_where_it_belongs_has_followed() {
+    for (place, is_accused) in [("-0.01019 -0.03603 0.004752", false), ("-0.0103 -0.0363 0.0048", true)] {
+        let dir = generic_and_scaled("smooth");
+        replace_in_file(&dir, "scaled.osim", "-0.01 -0.040000000000000001 0.0050000000000000001", place);
+        // The other spheres are left behind.
+        let out = dir.run("check scaled.osim --from generic.osim --format json").failed().out();
+        assert_eq!(out.contains("were moved by hand"), is_accused, "{out}");
+    }
+}
+
 #[test]
 fn a_model_after_follow_bodies_is_recognised() {
     let dir = generic_and_scaled("smooth");

@@ -115,8 +115,7 @@ fn collect_findings(
     }
     if options.selection.apply(model).is_err_and(|fault| matches!(fault.kind, FaultKind::NoContacts { .. })) {
         // A model without contacts needs neither a number of spheres nor a mass.
-        let is_needed = |code| ![CountUnknown, MassUnknown].contains(&code);
-        findings.retain(|finding| is_needed(finding.code()));
+        findings.retain(|one| !matches!(one.code(), CountUnknown | MassUnknown));
     }
     if let Some(bare) = contacts::find_bare_model(options, model) {
         let causes = [IgnoredContacts, FootSphereOnGround];

@@ -46,6 +46,8 @@ pub use similarity::{
 
 /// Two places are equal if they differ by no more than this, m.
 const SAME_PLACE_M: f64 = 1e-6;
+/// Factors that somebody typed with three digits differ by up to this (relative) from those of the bones.
+const ROUNDING_OF_FACTORS: f64 = 1e-3;
 /// If the y factor of a foot differs from √(x z) by more than this (relative), `rescale --follow-bodies` should not keep spheres on the
 /// scaled sole (`level`).
 const MOST_STRETCH_FOR_LEVEL: f64 = 0.2;
@@ -237,8 +239,10 @@ fn placed_spheres(
             here_m.iter().zip(place_m).all(|(a, b)| (a - b).abs() <= tolerance_m)
         };
         let rounding_m = SAME_PLACE_M.max(now.rounding_m);
+        let of_factors_m = ROUNDING_OF_FACTORS * DVec3::from(scaled_m).length();
         // A place with all its digits is no other place rounded.
-        let tolerance_m = if is_at(old.location_m, SAME_PLACE_M) { SAME_PLACE_M } else { rounding_m };
+        let of_place_m = if is_at(old.location_m, SAME_PLACE_M) { SAME_PLACE_M } else { rounding_m };
+        let tolerance_m = of_factors_m.max(of_place_m);
         // As the proposed transfer writes it.
         let by_body = || RadiusAxis::default().radius_ratio(of_body);
         let new_radius_m = old.radius_m * radius_ratio.unwrap_or_else(by_body);
