@@ -70,6 +70,13 @@ inChromium("on a telephone the blue button leads to its result, and a long text 
   assert.ok(line.height > 40 && button.y + button.height <= line.y, JSON.stringify([button, line]));
 });
 
+inChromium("forces of a misspelt class are no reason to add others", async (user) => {
+  await user.open(given("bad/class_misspelt.osim"));
+  await user.proposal.getByText("First correct the file").waitFor();
+  assert.equal(await user.proposal.getByRole("group", { name: "Most likely" }).getByRole("button").count(), 0);
+  assert.ok(await user.form.getByRole("radio", { name: "Rescale" }).isChecked());
+});
+
 inChromium("a single property that changes is named", async (user) => {
   await user.open(given("check/force_before_contact.osim"));
   await user.proposal.getByRole("button", { name: /^Change the contacts/ }).click();

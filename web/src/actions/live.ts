@@ -5,7 +5,7 @@ import type { Change, Inspected, Request, Section } from "../engine/types";
 import { findForm } from "../forms/all";
 import type { Form } from "../forms/declaration";
 import { isEmpty, problems, missingFields } from "../forms/request";
-import { currentFile, isBare, proposedRequest } from "../state/model";
+import { currentFile, lacksContacts, proposedRequest } from "../state/model";
 import type { Preview, Session } from "../state/session";
 import { hasOwnMass, requestFor } from "./row";
 
@@ -161,7 +161,7 @@ const EMPTY_HINTS: Readonly<Record<string, string>> = {
 const NEEDS_INPUT = new Set(Object.keys(EMPTY_HINTS));
 
 function emptyHint({ verb }: Form, inspected: Inspected): string {
-  if (verb !== "add" && isBare(inspected)) return "First give the model contacts, in step 2.";
+  if (verb !== "add" && lacksContacts(inspected)) return "First give the model contacts, in step 2.";
   if (proposedRequest(inspected)) return "Click the blue button of step 2, or choose another change, to see its result.";
   return EMPTY_HINTS[verb] ?? "";
 }

@@ -5,7 +5,7 @@ import { counted } from "../dom/number";
 import { isUseful, KIND_TEXTS } from "../files/kinds";
 import { type GivenFile, readFile, type ReadFile } from "../files/read";
 import { expandArchives } from "../files/unzip";
-import { isBare, newModel, type OpenModel, uses } from "../state/model";
+import { lacksContacts, newModel, type OpenModel, uses } from "../state/model";
 import type { Session } from "../state/session";
 import { findOriginal, inspect, inspectAgain } from "./inspect";
 import { refreshPresets } from "./presets";
@@ -70,7 +70,7 @@ async function openNow(
 function showFormFor(session: Session, opened: readonly number[]): void {
   const [model, ...others] = session.models.value;
   if (!model?.inspected || others.length > 0 || !opened.includes(model.id) || session.values.all().size > 0) return;
-  const [from, to] = isBare(model.inspected) ? ["rescale", "add"] : ["add", "rescale"];
+  const [from, to] = lacksContacts(model.inspected) ? ["rescale", "add"] : ["add", "rescale"];
   if (session.verb.value === from) session.setVerb(to);
 }
 

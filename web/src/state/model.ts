@@ -84,6 +84,11 @@ export function isBare({ inspection }: Inspected): boolean {
   return inspection.forces.length === 0;
 }
 
+/** Whether contacts can be added before all else. Forces of a misspelt class are no reason to add others. */
+export function lacksContacts(inspected: Inspected): boolean {
+  return isBare(inspected) && !inspected.findings.some(({ severity }) => severity === "error");
+}
+
 /** The change that the check proposes for what is wrong. */
 export function proposedRequest({ findings }: Inspected): Request | undefined {
   return findings.find(({ remedy, severity }) => remedy && severity !== "remark")?.remedy?.request;

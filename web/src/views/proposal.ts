@@ -6,7 +6,7 @@ import { findForm, QUESTIONS } from "../forms/all";
 import type { Context } from "../forms/context";
 import { control } from "../forms/control";
 import { describeRequest, valuesOf } from "../forms/describe";
-import { isBare, type OpenModel, proposedRequest } from "../state/model";
+import { isBare, lacksContacts, type OpenModel, proposedRequest } from "../state/model";
 import type { Session } from "../state/session";
 import { formContext } from "./context";
 import { wayPicture } from "./ways";
@@ -64,11 +64,12 @@ export class ProposalView {
     const asks = !request && findings.some(({ code }) => code === "spheres-not-compared");
     this.#original.classList.toggle("asks", asks);
     this.#original.hidden = bare;
-    setText(this.#title, bare ? "Give it contacts" : "Scaled from another model?");
-    this.#offers.replaceChildren(...(bare ? this.#ways() : request ? [this.#offer(request, mass)] : []));
+    const lacks = model.inspected !== null && lacksContacts(model.inspected);
+    setText(this.#title, lacks ? "Give it contacts" : bare ? "First correct the file" : "Scaled from another model?");
+    this.#offers.replaceChildren(...(lacks ? this.#ways() : request ? [this.#offer(request, mass)] : []));
     const isWrong = findings.some(({ severity }) => severity !== "remark");
     const advice = asks ? "Open its original to see whether the spheres followed the bones." : isWrong ? "Click a row above to see what to do." : NOTHING_WRONG;
-    setText(this.#note, bare || request ? "" : advice);
+    setText(this.#note, this.#offers.hasChildNodes() ? "" : advice);
   }
 
   /** The fields that say from which model this one was scaled. */
