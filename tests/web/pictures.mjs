@@ -32,7 +32,7 @@ const PICTURES = {
     },
   },
   followed: {
-    width: 1040, height: 670,
+    width: 1040, height: 640,
     show: async (user) => {
       await user.open(given("scale_tool/scaled_smooth.osim", "scaled.osim"), given("scale_tool/generic_smooth.osim", "generic.osim"));
       await user.opened("scaled.osim");
@@ -40,7 +40,7 @@ const PICTURES = {
       await user.done("scaled.scaled.osim");
       await user.page.getByRole("radio", { name: "Side", exact: true }).check();
       await user.page.waitForTimeout(3500);
-      await scrollToTop(user, user.region("scaled.osim"));
+      await scrollToTop(user, user.region("The body"));
     },
   },
   bare: {
