@@ -65,9 +65,9 @@ fn worst(consistency: &Value, name: &str, when: &str) -> f64 {
 #[test]
 fn a_simulated_walk_hardly_needs_a_correction() {
     let Some(dir) = trial("a simulated walk", "example2DWalking", WALK) else { return };
-    for (options, most_bw) in [("--vertical", 0.004), ("", 0.007)] {
+    for options in ["--vertical", ""] {
         let found = consistency(&dir, WALK_CALL, options);
-        assert!(worst(&found, "vertical_rms_bw", "after") <= most_bw, "{found}");
+        assert!(worst(&found, "vertical_rms_bw", "after") <= 0.004, "{found}");
         assert!(
             number(&found, "floor_up_m").abs() <= 1e-4 && number(&found, "lift_p95_m") <= 2e-4,
             "{found}"
@@ -92,10 +92,12 @@ fn a_floor_at_another_height_is_found() {
     for up_m in [-0.02, 0.03, -0.03, 0.06, -0.06] {
         let Some(dir) = trial("a floor at another height", "example2DWalking", WALK) else { return };
         change(&dir, "referenceCoordinates.sto", "pelvis_ty", |value, _| value + up_m);
-        let found = consistency(&dir, WALK_CALL, "--vertical");
-        assert!((number(&found, "floor_up_m") - up_m).abs() <= 3e-4, "{up_m}: {found}");
-        assert!(worst(&found, "vertical_rms_bw", "after") <= 0.005, "{up_m}: {found}");
-        assert_eq!(found["verdict"], "agree");
+        for options in ["--vertical", ""] {
+            let found = consistency(&dir, WALK_CALL, options);
+            assert!((number(&found, "floor_up_m") - up_m).abs() <= 3e-4, "{up_m}: {found}");
+            assert!(worst(&found, "vertical_rms_bw", "after") <= 0.005, "{up_m}: {found}");
+            assert_eq!(found["verdict"], "agree");
+        }
     }
 }
 
@@ -115,7 +117,7 @@ fn disturbed_joints_are_corrected() {
         value + 0.5_f64.to_radians() * (2.0 * turn * part).sin()
     });
     let found = consistency(&dir, WALK_CALL, "");
-    assert!(worst(&found, "vertical_rms_bw", "after") <= 0.015, "{found}");
+    assert!(worst(&found, "vertical_rms_bw", "after") <= 0.006, "{found}");
     assert!((number(&found, "floor_up_m") + 0.0206).abs() <= 1e-3, "{found}");
 }
 
@@ -124,7 +126,7 @@ fn a_treadmill_walk_is_corrected() {
     for class in ["smooth", "hunt-crossley"] {
         let Some(dir) = subject("a treadmill walk", class) else { return };
         let found = consistency(&dir, SUBJECT_CALL, "");
-        assert!(worst(&found, "vertical_rms_bw", "after") <= 0.04, "{found}");
+        assert!(worst(&found, "vertical_rms_bw", "after") <= 0.02, "{found}");
         assert!(worst(&found, "horizontal_rms_bw", "after") <= 0.05, "{found}");
         assert!(number(&found, "cop_rms_m") <= 0.032, "{found}");
         assert!((number(&found, "floor_up_m") - 0.011).abs() <= 0.002, "{found}");
@@ -140,7 +142,7 @@ fn a_treadmill_walk_is_corrected() {
             );
         }
         assert!(residual("vertical", "with_plates") <= 0.12, "{found}");
-        for (joint, most_n_m) in [("hip", 7.0), ("knee", 5.0), ("ankle", 3.0)] {
+        for (joint, most_n_m) in [("hip", 8.0), ("knee", 5.5), ("ankle", 3.0)] {
             let change_n_m = number(&found["joint_moment_change_nm"], joint);
             assert!(change_n_m > 1.0 && change_n_m <= most_n_m, "{found}");
         }
@@ -256,7 +258,7 @@ fn causes_are_those_that_explain_the_plates() {
     assert!(said.contains("left foot, uncorrected: its centre of pressure"), "{said}");
     let words: Vec<&str> = said.split("heels ").nth(1).unwrap().split(' ').take(12).collect();
     let number = |at: usize| words[at].parse::<f64>().unwrap();
-    for (at, expected_mm) in [(0, 4.09), (2, 8.88), (6, 2.70), (10, 8.63)] {
+    for (at, expected_mm) in [(0, 4.52), (2, 9.33), (6, 2.72), (10, 8.61)] {
         assert!((number(at) - expected_mm).abs() < 0.1, "{words:?}");
     }
     // Both plates on the right foot: each force is that of the nearest foot, as with the right loads.

@@ -81,13 +81,13 @@ const TRANSITION_FACTORS_OF_STAGES: [f64; 8] = [0.0, 0.0, 0.0, 0.0, 10.0, 10.0, 
 /// The index of the last stage of the search for a correction. Later passes have only this stage.
 const LAST_STAGE: usize = 7;
 
-/// The relative decrease of the cost at which a stage ends: one that leads to the next, and the last.
-const SMALLEST_DECREASES: [f64; 2] = [1e-3, 1e-4];
+/// The relative decrease of the cost at which a stage ends.
+const SMALLEST_DECREASE: f64 = 1e-3;
 
 /// The contacts are read along the corrected motion at least this many times.
 const LEAST_PASSES: usize = 2;
 /// The contacts are read along the corrected motion at most this many times.
-const MOST_PASSES: usize = 4;
+const MOST_PASSES: usize = 8;
 /// The search for a correction ends if the cost changes by less than this (relative) when the contacts are read again.
 const LARGEST_COST_CHANGE_AT_END: f64 = 0.001;
 /// If loaded feet are on average slower than this, m/s, they stand on a floor at rest, and not on a belt.
@@ -263,13 +263,13 @@ impl Search<'_> {
                 let (soft_m, transition) =
                     (SOFT_DEPTHS_OF_STAGES_M[stage], TRANSITION_FACTORS_OF_STAGES[stage]);
                 problem.stage = Stage { soft_m, transition, has_two_floors: false };
-                cost = minimise(&problem, unknowns, SMALLEST_DECREASES[usize::from(stage == LAST_STAGE)]);
+                cost = minimise(&problem, unknowns, SMALLEST_DECREASE);
             }
             pass += 1;
             if ends || pass == MOST_PASSES {
                 problem.stage.has_two_floors = true;
                 let (mut apart, before) = (unknowns.clone(), problem.cost(unknowns));
-                let after = minimise(&problem, &mut apart, SMALLEST_DECREASES[0]);
+                let after = minimise(&problem, &mut apart, SMALLEST_DECREASE);
                 return Ok((apart[setting.coefficients() + 3], after / before));
             }
         }

@@ -9,8 +9,9 @@ use super::unknowns::{CorrectedCoordinate, CorrectionOptions, SplineBasis};
 use crate::states::paths_to;
 use crate::{Belt, ContactPair, ContactState, ContactStates, Foot, Recording, StatesError};
 
-/// A difference from the plates' force that counts as much as a correction of usual size, body weights.
-const USUAL_FORCE_ERROR_BW: f64 = 0.05;
+/// Differences from the plates' force along the normal, and along the floor, that count as much as a correction of usual size, body
+/// weights. Friction depends on the speed of a spline, which is less certain than a depth.
+const USUAL_FORCE_ERRORS_BW: [f64; 2] = [0.025, 0.042];
 /// A difference from the plates' centre of pressure that counts as much as a correction of usual size, m.
 const USUAL_PRESSURE_ERROR_M: f64 = 0.01;
 /// An acceleration of the whole body, added by a correction, that counts as much as a correction of usual size, m/s².
@@ -109,7 +110,7 @@ impl<'s> StageProblem<'s> {
         let CorrectionInputs { level, weight_n, ref options, .. } = *self.setting;
         let difference: Vec<f64> = unknowns.iter().zip(&self.read_at).map(|(now, then)| now - then).collect();
         let place = self.setting.coefficients();
-        let unit = 1.0 / (USUAL_FORCE_ERROR_BW * weight_n);
+        let [unit, level_unit] = USUAL_FORCE_ERRORS_BW.map(|error_bw| 1.0 / (error_bw * weight_n));
         let mut sum = Row { residual: 0.0, by_coordinate: Vec::new(), by_constant: [0.0; CONSTANTS] };
         for frame in 0..self.setting.basis.first.len() {
             let [values, rates] = [0, 1].map(|order| self.setting.corrections(&difference, frame, order));
@@ -156,8 +157,8 @@ impl<'s> StageProblem<'s> {
                     }
                 }
                 if !options.vertical_only && self.stage.transition > 0.0 {
-                    row(goal.level_n[0] * unit, &|_| [0.0, unit, 0.0]);
-                    row(goal.level_n[1] * unit, &|_| [0.0, 0.0, unit]);
+                    row(goal.level_n[0] * level_unit, &|_| [0.0, level_unit, 0.0]);
+                    row(goal.level_n[1] * level_unit, &|_| [0.0, 0.0, level_unit]);
                 }
             }
         }
