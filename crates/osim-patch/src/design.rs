@@ -14,7 +14,7 @@ use osim_model::{
 use crate::builder::{NewNumber, PlanBuilder, change_composite, scale_with_radius};
 use crate::change::{ChangedBy, property_factor};
 use crate::new_radii::{Radii, SphereRadiusRule};
-use crate::note::NotedMass;
+use crate::note_edits::NotedMass;
 use crate::plan::{Masses, NoteFacts, Plan};
 use crate::rules::{self, REMARK_PLACES_STAY, remark_on_equilibrium, remark_on_moved_bottoms};
 

@@ -3,9 +3,10 @@
 use osim_model::messages::{Input, phrase, readable};
 use osim_model::{Mass, MassSource, Model, Note, Result, Scope, Step, positive_mass};
 
+use crate::note_edits::{self, NotedMass};
 use crate::objects::{EarlierNote, RebuiltModel};
 use crate::plan::{Masses, NoteFacts, Plan};
-use crate::{note_edits, rules};
+use crate::rules;
 
 /// Plans a note that the contacts of `model` were made for `contacts_mass_kg` at `gravity_m_s2`, without a change of numbers. The
 /// note also records how many `stance_limbs` share the weight, if given. Later changes read these facts from the note, also after
@@ -108,39 +109,6 @@ pub fn note_of_remaining(model: &Model, rebuilt: &RebuiltModel) -> Option<Note> 
 pub(crate) fn leaves_noted_contacts(model: &Model, rebuilt: &Model) -> bool {
     let on_ground = |model: &Model| model.forces().iter().any(|force| model.meets_half_space(force));
     on_ground(rebuilt) || (!on_ground(model) && !rebuilt.forces().is_empty())
-}
-
-/// The mass and scope of the note after a change.
-pub(crate) struct NotedMass {
-    pub(crate) kg: Option<f64>,
-    pub(crate) scope: Scope,
-}
-
-impl NotedMass {
-    /// A note about `all` contacts or a part of them.
-    pub(crate) fn new(kg: Option<f64>, all: bool) -> Self {
-        Self { kg, scope: if all { Scope::All } else { Scope::Partial } }
-    }
-
-    /// The mass and scope of the note after a change of `model`; `contacts_mass` is the mass that its contacts were made for.
-    /// In the table, a note has a mass (M) or none, and the scope all or partial:
-    ///
-    /// | note before the change | source of `contacts_mass` | note after the change |
-    /// |---|---|---|
-    /// | none | the mass of the bodies | no mass, all |
-    /// | none, or any note | the caller | mass of the caller, all |
-    /// | M, all | the note | M, all |
-    /// | no mass, all | the mass of the bodies | no mass, all |
-    /// | no mass, all, but the bodies were scaled later | the mass of the bodies | no mass, partial |
-    /// | in doubt: partial, values changed later, or not readable | not the caller | mass of the note if any, partial |
-    pub(crate) fn of(model: &Model, contacts_mass: Option<&Mass>) -> Self {
-        let said = contacts_mass.filter(|mass| mass.source == MassSource::ContactsMass);
-        let noted = model.note.as_ref().and_then(|note| note.contacts_mass_kg);
-        match said {
-            Some(mass) => Self::new(Some(mass.kg), true),
-            None => Self::new(noted, model.doubt_about_note().is_none()),
-        }
-    }
 }
 
 /// Whether two notes have the same content; the version of the program and the steps do not count.

@@ -6,7 +6,8 @@ use std::ops::Range;
 use foldhash::{HashMap, HashMapExt};
 use osim_model::messages::readable;
 use osim_model::{
-    BodySize, Credits, Document, Force, Model, Note, NoteDoubt, PieceKind, Source, SphereId, Step, Tree,
+    BodySize, Credits, Document, Force, Mass, MassSource, Model, Note, NoteDoubt, PieceKind, Scope, Source,
+    SphereId, Step, Tree,
 };
 
 use crate::edit::{Edit, splice};
@@ -21,6 +22,39 @@ const CREDITS_TAG: &str = "credits";
 const MADE_CREDITS_MARK: char = 'c';
 /// The letters in a note's list of made elements by which the program opened an empty `<credits>` of each form.
 const OPENED_MARKS: [(char, EmptyForm); 2] = [('s', EmptyForm::Closed), ('b', EmptyForm::ClosedWithBlank)];
+
+/// The mass and scope of the note after a change.
+pub(crate) struct NotedMass {
+    pub(crate) kg: Option<f64>,
+    pub(crate) scope: Scope,
+}
+
+impl NotedMass {
+    /// A note about `all` contacts or a part of them.
+    pub(crate) fn new(kg: Option<f64>, all: bool) -> Self {
+        Self { kg, scope: if all { Scope::All } else { Scope::Partial } }
+    }
+
+    /// The mass and scope of the note after a change of `model`; `contacts_mass` is the mass that its contacts were made for.
+    /// In the table, a note has a mass (M) or none, and the scope all or partial:
+    ///
+    /// | note before the change | source of `contacts_mass` | note after the change |
+    /// |---|---|---|
+    /// | none | the mass of the bodies | no mass, all |
+    /// | none, or any note | the caller | mass of the caller, all |
+    /// | M, all | the note | M, all |
+    /// | no mass, all | the mass of the bodies | no mass, all |
+    /// | no mass, all, but the bodies were scaled later | the mass of the bodies | no mass, partial |
+    /// | in doubt: partial, values changed later, or not readable | not the caller | mass of the note if any, partial |
+    pub(crate) fn of(model: &Model, contacts_mass: Option<&Mass>) -> Self {
+        let said = contacts_mass.filter(|mass| mass.source == MassSource::ContactsMass);
+        let noted = model.note.as_ref().and_then(|note| note.contacts_mass_kg);
+        match said {
+            Some(mass) => Self::new(Some(mass.kg), true),
+            None => Self::new(noted, model.doubt_about_note().is_none()),
+        }
+    }
+}
 
 /// Whether a note needs an element `<credits>` that `document` does not have.
 pub(crate) fn adds_credits(document: &Document) -> bool {

@@ -14,8 +14,7 @@ use osim_model::{
 use crate::change::{ChangedBy, NumberChange, PlaceChange};
 use crate::edit::{Edit, Patch};
 use crate::insert::{NewElement, insert};
-use crate::note::NotedMass;
-use crate::note_edits::{self, StepDetails};
+use crate::note_edits::{self, NotedMass, StepDetails};
 use crate::objects::{EarlierNote, ObjectChange, RebuiltModel};
 
 /// All changes of one model, made by [`rescale`](crate::rescale), [`transfer`](crate::transfer()), [`design`](crate::design()) or

@@ -11,7 +11,7 @@ use osim_model::{
 use crate::builder::{NewNumber, PlanBuilder};
 use crate::change::{GravityChange, property_factor};
 use crate::new_radii::{Radii, SphereRadiusRule};
-use crate::note::NotedMass;
+use crate::note_edits::NotedMass;
 use crate::plan::{Masses, NoteFacts, Plan};
 use crate::rules::{self, REMARK_GRAVITY_STAYS, warn_forces};
 

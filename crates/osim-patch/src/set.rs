@@ -10,7 +10,7 @@ use osim_model::{
 use crate::builder::{NewNumber, PlanBuilder};
 use crate::change::{ChangedBy, PlaceChange};
 use crate::new_radii::ForcesOutsideChange;
-use crate::note::NotedMass;
+use crate::note_edits::NotedMass;
 use crate::plan::{Masses, NoteFacts, Plan};
 use crate::rules::{self, REMARK_LEVEL_FEET};
 

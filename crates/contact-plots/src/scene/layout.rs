@@ -1,6 +1,5 @@
 //! The layout of a scene: one scale for all objects, views below each other, and names beside their elements.
 
-use super::SceneSample;
 use super::elements::{Block, LevelKind, Scene, View};
 use super::labels::{NameToPlace, Obstacles, Rect, place_names};
 use crate::axis::Ticks;
@@ -132,6 +131,18 @@ pub(super) struct PlacedBlock<'s> {
     /// The remarks below the block, broken into lines.
     pub remarks: Vec<String>,
     pub remarks_top: f64,
+}
+
+/// A kind of element in the legend.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum SceneSample {
+    Ball,
+    BallBefore,
+    Misplaced,
+    Spot,
+    Bone,
+    Lowest,
+    Ground,
 }
 
 /// Positions of all parts of a scene.

@@ -16,7 +16,9 @@ use crate::panels_svg::TICK_LENGTH_PT;
 use crate::style::{INK, LIMIT, Look, TEXT_PT, float, stroke, text, units};
 pub use elements::{Ball, Block, Level, LevelKind, Outline, Scene, SceneNames, Spot, State, View};
 use labels::LEADER_PT;
-use layout::{LINE_PT, PlacedBlock, PlacedName, PlacedView, RIGHT_PT, SceneLayout, has_outlines};
+use layout::{
+    LINE_PT, PlacedBlock, PlacedName, PlacedView, RIGHT_PT, SceneLayout, SceneSample, has_outlines,
+};
 
 /// Draws objects from several sides, as an SVG document. The scale is the same in all directions, so that circles stay circles.
 ///
@@ -173,18 +175,6 @@ fn draw_axes(root: &Area<'_>, view: &PlacedView<'_>, is_last: bool) -> Result<()
 
 /// Radius of a circle in the legend, pt.
 const SAMPLE_CIRCLE_RADIUS_PT: f64 = 3.6;
-
-/// A kind of element in the legend.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum SceneSample {
-    Ball,
-    BallBefore,
-    Misplaced,
-    Spot,
-    Bone,
-    Lowest,
-    Ground,
-}
 
 /// Draws a sample of the legend; `left` is its left end and `middle` its vertical middle on the page, in points.
 fn draw_sample(root: &Area<'_>, sample: SceneSample, left: f64, middle: f64) -> Result<(), PlotError> {

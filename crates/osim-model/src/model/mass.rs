@@ -182,8 +182,8 @@ impl MassRequest {
     pub fn disagreement_with_note(&self, model: &Model) -> Option<Finding> {
         let kg = self.contacts_mass_kg?;
         let noted = self.disagreeing_note_kg(model)?;
-        let taken = Mass { kg, source: MassSource::ContactsMass };
-        Some(rules::mass_sources_disagree(&taken, (noted, &"the note in the file".into())))
+        let taken = (kg, &MassSource::ContactsMass.describe());
+        Some(rules::mass_sources_disagree(taken, (noted, &"the note in the file".into())))
     }
 
     /// The mass in the note of `model`, kg, if the note is not in doubt and its mass differs from the mass that the caller gave.
@@ -218,7 +218,7 @@ impl MassRequest {
             if is_for_scaled_bodies && noted_kg != Some(kg) {
                 return rules::bodies_not_scaled(kg, taken.kg);
             }
-            rules::mass_sources_disagree(taken, (kg, &source))
+            rules::mass_sources_disagree((taken.kg, &taken.source.describe()), (kg, &source))
         };
         others.into_iter().filter(|(kg, _)| differs(*kg)).map(finding).collect()
     }

@@ -4,7 +4,7 @@
 use contact_scaling::modulus;
 
 use crate::messages::{Phrase, phrase, readable};
-use crate::model::{Example, Finding, Force, ForceId, Mass, Model, Repair, Rule, Severity, Sphere};
+use crate::model::{Example, Finding, Force, ForceId, Model, Repair, Rule, Severity, Sphere};
 use crate::rule;
 
 /// The rules of this crate.
@@ -20,16 +20,19 @@ pub const RULES: &[&Rule] = &[
 rule! { MASS_SOURCES_DISAGREE: MassSourcesDisagree, Warning, Mass;
     what: "The note, `mass` and the bodies give different masses.",
     why: "The factor of every change follows from the mass the contacts are made for; a wrong one scales all of them wrongly.",
-    advice: "Scale the bodies to the mass of the contacts, or the contacts to that of the bodies (`rescale MODEL target_mass=KG`). If one of the masses is wrong, give the right one with `contacts_mass=KG` or `mass=KG`",
+    advice: "Scale the bodies to the mass of the contacts, or the contacts to that of the bodies. If one of the masses is wrong, give the right one with `contacts_mass=KG` or `mass=KG`",
     repair: Repair::NotPossible("only you know which of the masses is right"),
     example: Example::Models { good: "walks/child.osim", bad: "walks/scaled_noted.osim" },
 }
 
-/// The finding that another `source` gives another mass than the source that was used.
-pub(crate) fn mass_sources_disagree(taken: &Mass, (kg, source): (f64, &Phrase)) -> Finding {
+/// The finding that another source gives another mass than the one that was used. Each mass is in kg, with its source.
+pub(crate) fn mass_sources_disagree(
+    (taken_kg, taken): (f64, &Phrase),
+    (kg, source): (f64, &Phrase),
+) -> Finding {
     let message = phrase![
         "contacts are taken as made for {} kg ({}), but {} says {} kg";
-        readable(taken.kg), &taken.source.describe(), source, readable(kg)
+        readable(taken_kg), taken, source, readable(kg)
     ];
     Finding::new(&MASS_SOURCES_DISAGREE, message)
 }

@@ -14,7 +14,7 @@ use osim_model::{
 use crate::builder::{PlanBuilder, change_composite, scale_with_radius};
 use crate::change::{ChangedBy, GravityChange};
 use crate::new_radii::{Radii, SphereRadiusRule};
-use crate::note::NotedMass;
+use crate::note_edits::NotedMass;
 use crate::objects::keeps_sphere_inside;
 use crate::plan::{Masses, NoteFacts, Plan, TRANSFER_OPERATION};
 use crate::rules::{self, REMARK_GRAVITY_STAYS, REMARK_PLACES_STAY, warn_forces};

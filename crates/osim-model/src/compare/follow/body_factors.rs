@@ -4,8 +4,8 @@ use std::cell::OnceCell;
 use std::collections::BTreeMap;
 
 use foldhash::{HashMap, HashMapExt};
+use glam::DVec3;
 
-use super::scaled_copy::SharedOffset;
 use crate::messages::named;
 use crate::model::{Anatomy, AnatomyJoint, BoneLengths, Fault};
 
@@ -84,6 +84,21 @@ const SHORTEST_JOINT_DISTANCE_M: f64 = 0.02;
 /// A joint is far enough to measure the size of the body if its distance is this part of the longest bone of the limb: in a rat, bones are
 /// shorter than [`SHORTEST_JOINT_DISTANCE_M`].
 const SHORTEST_SHARE_OF_LONGEST_BONE: f64 = 0.2;
+
+/// Offsets of one joint on one body, in the reference and in the scaled model.
+#[derive(Clone, Copy)]
+pub(super) struct SharedOffset<'a> {
+    pub(super) joint: &'a str,
+    pub(super) reference_m: DVec3,
+    pub(super) scaled_m: DVec3,
+}
+
+impl SharedOffset<'_> {
+    /// The distance to the joint in the scaled model over that in the reference.
+    pub(super) fn ratio(&self) -> f64 {
+        self.scaled_m.length() / self.reference_m.length()
+    }
+}
 
 /// The joints that have the same name in both models, listed under the body that is the joint's parent in one of the models.
 pub(super) struct ComparedJoints<'a> {

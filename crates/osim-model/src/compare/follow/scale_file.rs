@@ -4,7 +4,8 @@ use std::collections::BTreeMap;
 
 use glam::DVec3;
 
-use super::scaled_copy::{SharedJoints, SharedOffset};
+use super::body_factors::SharedOffset;
+use super::scaled_copy::SharedJoints;
 use crate::model::{Anatomy, Document, Fault, FaultKind, MissingFact, Result, UnknownFactors};
 
 /// If a joint is farther than this part of its distance from the place that the file's factors give, the file was applied to another model.

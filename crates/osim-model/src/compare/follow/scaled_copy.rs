@@ -1,9 +1,8 @@
 //! Whether a model is a scaled copy of another model.
 
 use foldhash::{HashMap, HashMapExt};
-use glam::DVec3;
 
-use super::body_factors::{AXIS_NAMES, BonePair, bone_pairs};
+use super::body_factors::{AXIS_NAMES, BonePair, SharedOffset, bone_pairs};
 use crate::messages::Phrase;
 use crate::model::{Anatomy, AnatomyJoint};
 
@@ -74,21 +73,6 @@ fn joint_of_other_bodies(scaled: &Anatomy, reference: &Anatomy) -> Option<CopyDi
             there: [there.parent.clone(), there.child.clone()],
         })
     })
-}
-
-/// Offsets of one joint on one body, in the reference and in the scaled model.
-#[derive(Clone, Copy)]
-pub(super) struct SharedOffset<'a> {
-    pub(super) joint: &'a str,
-    pub(super) reference_m: DVec3,
-    pub(super) scaled_m: DVec3,
-}
-
-impl SharedOffset<'_> {
-    /// The distance to the joint in the scaled model over that in the reference.
-    pub(super) fn ratio(&self) -> f64 {
-        self.scaled_m.length() / self.reference_m.length()
-    }
 }
 
 /// The joints that connect the same bodies in both models, listed under each of these bodies.

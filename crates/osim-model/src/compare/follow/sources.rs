@@ -4,10 +4,11 @@ use foldhash::{HashMap, HashMapExt, HashSet, HashSetExt};
 use glam::DVec3;
 
 use super::body_factors::{
-    AXIS_NAMES, AxisFactor, BodyFactors, BodyIndex, BonePair, ComparedJoints, FactorSource, bone_pairs,
+    AXIS_NAMES, AxisFactor, BodyFactors, BodyIndex, BonePair, ComparedJoints, FactorSource, SharedOffset,
+    bone_pairs,
 };
 use super::scale_file::ScaleFile;
-use super::scaled_copy::{SHORTEST_OFFSET_M, SharedOffset};
+use super::scaled_copy::SHORTEST_OFFSET_M;
 use crate::messages::Phrase;
 use crate::model::{Anatomy, Fault, MissingFact, Side, UnknownFactors, without_side};
 
