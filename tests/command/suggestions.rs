@@ -311,9 +311,9 @@ fn masses_are_short_for_people_and_exact_for_programs() {
 fn a_pattern_that_matches_no_force_is_named() {
     let dir = TestDir::with(&[("check/known_contacts.osim", "human.osim")]);
     let call = "rescale human.osim --target-mass 70 --dry-run";
-    let words = "--exclude balls_*: no contact force of the model has such a name";
+    let words = "--exclude \"balls_*\": no contact force of the model has such a name";
     dir.run(&format!("{call} --exclude balls_*")).succeeded().says(&[words]);
-    let words = "--select typo_*: no contact force of the model has such a name";
+    let words = "--select \"typo_*\": no contact force of the model has such a name";
     dir.run(&format!("{call} --select contact_* --select typo_*")).succeeded().says(&[words]);
     dir.run(&format!("{call} --select contact_*")).succeeded().says_not(&["no contact force of the model"]);
 }
@@ -326,8 +326,8 @@ fn every_verb_names_a_pattern_without_a_match() {
         ("motion/walker.osim", "walker.osim"),
         ("motion/walk.mot", "walk.mot"),
     ]);
-    let forces = "--exclude balls_*: no contact force of the model has such a name";
-    let bodies = "--exclude-body props_*: no body of the model has such a name";
+    let forces = "--exclude \"balls_*\": no contact force of the model has such a name";
+    let bodies = "--exclude-body \"props_*\": no body of the model has such a name";
     for call in [
         "rescale human.osim --target-mass 70 --dry-run",
         "set human.osim stiffness=x2 --dry-run",

@@ -34,8 +34,8 @@ impl Dialect for CommandLine {
         };
         match example {
             Some(Example::Value(value)) => {
-                // Within a sentence, lists and patterns read better without quotation marks.
-                let rest = value.replace([',', '*'], "");
+                // Within a sentence, lists read better without quotation marks.
+                let rest = value.replace(',', "");
                 let is_plain = shell_quoted(&rest) == rest;
                 let between = if value.starts_with('-') { '=' } else { ' ' };
                 format!("{name}{between}{}", if is_plain { value.clone() } else { shell_quoted(value) })
