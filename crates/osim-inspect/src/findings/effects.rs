@@ -98,6 +98,10 @@ pub(super) fn without_effects(model: &Model, mut findings: Vec<FindingWithRemedy
         let pair = pairs.find(|pair| pair.left.sphere.name == *left);
         misplaced.contains(left) || pair.is_some_and(|pair| misplaced.contains(&pair.right.sphere.name))
     };
+    let is_in_three = |path: &String| {
+        let named = model.forces().iter().flat_map(Force::spheres).filter_map(|&id| model.sphere(id));
+        named.filter(|sphere| sphere.path == *path).count() > 2
+    };
     findings.retain(|one| {
         let code = one.code();
         let are_in = |spheres: &BTreeSet<String>| {
@@ -111,7 +115,10 @@ pub(super) fn without_effects(model: &Model, mut findings: Vec<FindingWithRemedy
             _ => EFFECTS_OF_ODD_RADIUS.contains(&code) && are_in(&odd_radii),
         };
         let is_of_number = misreads_contacts && EFFECTS_OF_MISREAD_NUMBERS.contains(&code);
-        one.severity == Severity::Remark || !(anywhere.contains(&code) || is_of_number || is_of_elements)
+        // A sphere of the other side is in two forces: in its own, and in one that is not.
+        let is_anywhere =
+            anywhere.contains(&code) && !(code == SphereInTwoForces && one.paths().any(is_in_three));
+        one.severity == Severity::Remark || !(is_anywhere || is_of_number || is_of_elements)
     });
     findings
 }

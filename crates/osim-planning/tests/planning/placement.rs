@@ -381,15 +381,19 @@ fn spheres_that_this_program_resized_are_placed_again() {
 }
 
 #[test]
-fn symptoms_of_misplaced_spheres_come_after_them_and_have_no_command() {
+fn what_is_wrong_beside_misplaced_spheres_has_no_command() {
     // Beyond the toe joint, and a hundredth as stiff.
     let text =
         with_x(UNPUBLISHED_MODEL, "s2_r", 1.45 * 143.04).replace("<stiffness>1000000<", "<stiffness>10000<");
     let found = check_text(&text, None);
     assert!(found.findings.iter().all(|one| one.remedy.is_none()));
-    let warned: Vec<_> = found.findings.iter().filter(|one| one.severity == Severity::Warning).collect();
-    assert!(warned.len() > 1, "{warned:?}");
-    assert_eq!(warned[0].code(), FindingCode::SpheresMisplaced);
+    let codes: Vec<_> = found.findings.iter().map(|one| (one.severity, one.code())).collect();
+    let expected = [
+        (Severity::Error, FindingCode::SunkIn),
+        (Severity::Warning, FindingCode::SpheresMisplaced),
+        (Severity::Remark, FindingCode::BeyondHuntCrossley),
+    ];
+    assert_eq!(codes, expected);
 }
 
 #[test]

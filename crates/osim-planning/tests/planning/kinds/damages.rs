@@ -18,7 +18,11 @@ pub const DAMAGES: &[DamageKind] = &[
             })
         },
     ),
-    ("all forces name one sphere", "sphere-in-two-forces", with_one_sphere_in_all_forces),
+    (
+        "all forces name one sphere",
+        "sphere-in-two-forces sphere-of-other-side",
+        with_one_sphere_in_all_forces,
+    ),
     ("left feet on a second floor 50 mm higher", "floor-step", |m| {
         with_second_floor(m, "<location>0 0.05 0</location>", "0 0 -1.5707963267948966")
     }),

@@ -36,7 +36,7 @@ pub const SKELETON_DAMAGES: &[DamageKind] = &[
     ("spheres 0.1 m low", "spheres-misplaced", |m| moved_on_foot(m, is_any, |[x, y, z]| [x, y - 0.1, z])),
     ("spheres 0.1 m high", "spheres-misplaced", |m| moved_on_foot(m, is_any, |[x, y, z]| [x, y + 0.1, z])),
     ("heels 0.1 m behind", "spheres-misplaced", |m| moved_on_foot(m, is_heel, |[x, y, z]| [x - 0.1, y, z])),
-    ("spheres 0.1 m beside the foot", "spheres-misplaced", |m| {
+    ("spheres 0.1 m beside the foot", "spheres-misplaced odd-place", |m| {
         moved_on_foot(m, is_any, |[x, y, z]| [x, y, z + 0.1_f64.copysign(z)])
     }),
     ("pelvis locked", "root-held", |m| with_locked_joints(m, |name| name.ends_with("_ty"))),

@@ -10,7 +10,7 @@ const CODES_OF_MISREAD_NUMBERS: &str = "odd-number not-finite";
 const TAGS_OF_PARAMETER_SETS: &[&str] = &["HuntCrossleyForce::ContactParameters"];
 
 pub const DAMAGES_OF_UNREAD_PARTS: &[DamageKind] = &[
-    ("all forces name one sphere", "sphere-in-two-forces", |m| {
+    ("all forces name one sphere", "sphere-in-two-forces sphere-of-other-side", |m| {
         let spheres = m.model.spheres();
         let first = &spheres.first()?.name;
         m.edit(FORCES, &["socket_sphere", "geometry"], |_, old| {
