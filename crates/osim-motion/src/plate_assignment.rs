@@ -304,7 +304,8 @@ fn frames_beside_plates(
 ) -> Vec<bool> {
     let frames = &loads[index];
     let is_above = |force_n: f64, least_bw: f64| force_n > least_bw * weight_n;
-    let is_on_plate = frames.iter().flatten().any(|(force_n, _)| is_above(*force_n, LOADED_BW));
+    // Of a plate with the other sign, too: the sign is said later.
+    let is_on_plate = frames.iter().flatten().any(|(force_n, _)| is_above(force_n.abs(), LOADED_BW));
     let compared = if is_on_plate { &loads[index..=index] } else { loads };
     let under_load = |least_bw: f64, quantile: f64, of: &dyn Fn(&ContactState) -> f64| {
         let loaded = compared.iter().flatten().flatten().filter(|(force_n, _)| is_above(*force_n, least_bw));
