@@ -384,7 +384,7 @@ fn a_step_beside_the_plates_is_not_compared() {
     assert!(rms_bw < 0.05, "{rms_bw}");
 }
 
-/// The seventh verdict is good also for a floor that is too high, a warning for forces in kN, and unknown if the recording cannot be read.
+/// The seventh verdict is good also for a floor that is too high, a warning for forces in kN, and unknown if the recording is of another model.
 #[test]
 fn check_judges_contacts_by_a_recording() {
     let dir = TestDir::with(&FILES_OF_RECORDING);
@@ -414,10 +414,12 @@ fn check_judges_contacts_by_a_recording() {
     let fit = "fit walker.osim --motion walk.mot --plates kilonewtons.sto -o fitted.osim --force";
     dir.run(fit).failed().says(&["are their forces in kN?"]).wrote_nothing();
     dir.write("words.sto", "nothing");
-    assert_eq!(
-        motion_verdict("walker.osim", "--motion words.sto --plates plates.sto").1.unwrap().0,
-        "unknown"
-    );
+    dir.run("check walker.osim --motion words.sto --plates plates.sto")
+        .failed()
+        .says(&["no line `endheader`"]);
+    dir.write("other.sto", "version=1\nendheader\ntime\thip\n0\t0\n");
+    let of_others = motion_verdict("walker.osim", "--motion other.sto --plates plates.sto");
+    assert_eq!(of_others.1.unwrap().0, "unknown");
 }
 
 #[test]

@@ -264,14 +264,15 @@ fn verdict_in_words(
     let moves = format!("loaded spheres move up or down by {lift} (95 %), joints by {degrees} degrees (rms)");
     let moves = format!("{moves}; the floor is {floor} {side} than in the model");
     let left_bw = figures.largest_of_feet(|foot| foot.after.vertical_bw);
-    let (left, is_usual) = (two_digits(left_bw), left_bw <= MOST_USUAL_VERTICAL_BW);
-    let usual = if is_usual { ", as in half of all recordings" } else { "" };
-    let large = format!("contacts and plates agree after a large correction only{usual}");
+    let left = two_digits(left_bw);
     let facts = &correction.recording.facts;
     let outside = listed(&facts.outside, 3);
     let jump = facts.jump.as_ref();
     let jump = jump.map(|(name, time_s)| format!(", and {name} jumps after {} s", readable(*time_s)));
     let far = figures.cop_rms_m().filter(|apart_m| *apart_m > FAR_PRESSURE_M).map(millimetres);
+    let is_usual = left_bw <= MOST_USUAL_VERTICAL_BW && far.is_none();
+    let usual = if is_usual { ", as in half of all recordings" } else { "" };
+    let large = format!("contacts and plates agree after a large correction only{usual}");
     let far = far.map(|apart| {
         format!("; centres of pressure stay {apart} apart: have plates and motion the same origin and time?")
     });
