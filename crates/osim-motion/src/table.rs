@@ -246,7 +246,7 @@ fn refuse_falling_times(time_s: &[f64], lines: &[usize]) -> Result<(), MotionFau
 /// Nobody records more rows than this at steps longer than this, s.
 const MOST_SLOW_ROWS: (usize, f64) = (100, 0.2);
 
-/// Refuses many rows that are so far apart that their times are no seconds.
+/// Refuses many rows that are so far apart that their times are not in seconds.
 fn refuse_other_units_of_time(time_s: &[f64]) -> Result<(), MotionFault> {
     let (rows, step_s) = MOST_SLOW_ROWS;
     let all_s = time_s.last().zip(time_s.first()).map_or(0.0, |(last, first)| last - first);

@@ -110,7 +110,7 @@ fn explained(inertia: &[DVec3], force: &[DVec3]) -> (f64, f64) {
 }
 
 /// The direction along a floor with this normal in which the plates' force is opposite to the inertia of the whole body, although this
-/// inertia explains the force along the normal. `None` if there is none, or if the time is too short to tell.
+/// inertia explains the force along the normal. `None` if there is none, or if the time is too short to show it.
 pub(super) fn reversed_direction(
     time_s: &[f64],
     inertia_n: &[Option<DVec3>],
