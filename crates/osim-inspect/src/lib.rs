@@ -45,8 +45,8 @@ mod verdicts;
 pub use figures::{Figure, FigureVisibility, Figures, LimbFigures, LimitCheck, SphereFigures};
 pub use findings::{
     ChangeableValues, CheckResult, ConsistencyRecord, CorrectedErrorRecord, Counts, FindingIndex,
-    FindingWithRemedy, JointMomentsRecord, ResidualRecord, RootResidualRecord, check_model,
-    check_without_remedies, codes_of_effects,
+    FindingWithRemedy, JointMomentsRecord, ResidualRecord, RootResidualRecord, all_findings, check_model,
+    check_without_remedies, codes_of_effects, sort_findings, without_effects,
 };
 pub use inspection::{
     BodyAtRest, Bottom, ContactsMass, Dimensionless, InspectedBody, InspectedFactors, InspectedForce,

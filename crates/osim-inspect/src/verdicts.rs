@@ -12,7 +12,7 @@ use osim_model::{FindingCode, MassSource, Model, Severity, Side, VerdictTopic};
 use serde::{Serialize, Serializer};
 
 use crate::inspection::{Inspection, StandingBody, step_in_words};
-use crate::{Figure, FindingWithRemedy, SphereFigures, codes_of_effects};
+use crate::{Figure, FindingWithRemedy, SphereFigures};
 
 /// What is right or wrong with a model in one topic.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -131,18 +131,24 @@ impl InspectedModel<'_> {
     }
 }
 
-/// The verdicts on all topics of a model. `findings` must be sorted, the worst first.
+/// The verdicts on all topics of a model. `findings` must be sorted, the worst first; there are others on the topics `left_out`, which follow
+/// from them.
 pub(crate) fn answer_all(
     model: &Model,
     inspected: &Inspection,
-    findings: &[FindingWithRemedy],
+    (findings, left_out): (&[FindingWithRemedy], &[VerdictTopic]),
 ) -> Vec<Verdict> {
     let inspected = InspectedModel { model, inspection: inspected };
-    VerdictTopic::OF_EVERY_MODEL.into_iter().map(|on| judge_topic(on, &inspected, findings)).collect()
+    let all = VerdictTopic::OF_EVERY_MODEL.into_iter();
+    all.map(|on| judge_topic(on, &inspected, (findings, left_out))).collect()
 }
 
 /// The verdict on one topic: its worst finding, or what is right.
-fn judge_topic(on: VerdictTopic, inspected: &InspectedModel<'_>, findings: &[FindingWithRemedy]) -> Verdict {
+fn judge_topic(
+    on: VerdictTopic,
+    inspected: &InspectedModel<'_>,
+    (findings, left_out): (&[FindingWithRemedy], &[VerdictTopic]),
+) -> Verdict {
     let mut deciding: Vec<&FindingWithRemedy> =
         findings.iter().filter(|found| found.rule.verdict == Some(on)).collect();
     // Of two that are equally bad, masses of bodies come first, because the others follow from them.
@@ -175,17 +181,14 @@ fn judge_topic(on: VerdictTopic, inspected: &InspectedModel<'_>, findings: &[Fin
     let is_on_contacts =
         matches!(on, VerdictTopic::Mass | VerdictTopic::Sides | VerdictTopic::Sizes | VerdictTopic::Solver);
     let is_on_sides = on == VerdictTopic::Sides;
-    let may_differ = || {
-        codes_of_effects(findings).contains(&FindingCode::LeftRightDiffer)
-            || findings.iter().any(is_about_places_on_one_side)
-    };
+    let is_one_side_misplaced = || is_on_sides && findings.iter().any(is_about_places_on_one_side);
     let reasons = [
         (has_finding(FindingCode::BareModel), "there are no contacts"),
         (is_of_other_class, "contacts of this class are not judged"),
         (follows_weight && is_in_other_unit, "gravity has to be corrected first"),
         (is_on_sides && has_finding(FindingCode::OddNumber), "OpenSim reads another number than is written"),
         (is_on_contacts && has_finding(FindingCode::UnknownName), "OpenSim does not know a name in the file"),
-        (is_on_sides && may_differ(), "a number of a contact has to be corrected first"),
+        (left_out.contains(&on) || is_one_side_misplaced(), "another finding has to be corrected first"),
     ];
     if let Some((_, why)) = reasons.into_iter().find(|(applies, _)| *applies) {
         return Verdict::without_findings(on, Err(why.into()));

@@ -4,7 +4,8 @@ use std::collections::{HashMap, HashSet};
 
 use osim_inspect::{
     Bottom, FindingIndex, FindingWithRemedy, InspectOptions, LoadSharing, SphereFigures, Stance,
-    StandingBody, check_without_remedies, describe_unmatched_patterns,
+    StandingBody, all_findings, check_without_remedies, describe_unmatched_patterns, sort_findings,
+    without_effects,
 };
 use osim_model::feet::{MOST_LEAN_RAD, PoseFault, Standing};
 use osim_model::files::{Failure, Files, OpenModel};
@@ -86,14 +87,19 @@ impl PreparedChange {
         let weighs = masses.model_mass(&opened.model).ok();
         let weighs = weighs.or_else(|| Some(masses.contacts_mass(&opened.model).ok()?.0));
         let weighs_kg = weighs.map(|mass| mass.kg);
-        let before = findings_without_remedies(&self.options_before(plan), opened, &opened.model);
+        let options_before = self.options_before(plan);
+        let inspected_before = options_before.inspect_for_rules(opened.name(), &opened.model);
+        // With what only follows from other findings: where these are gone, the rest is not new.
+        let before = all_findings(&options_before, &opened.model, &inspected_before);
         let options_after = self.options_after(plan, weighs_kg);
         let inspected = changed.map(|changed| options_after.inspect_for_rules(opened.name(), changed));
-        let after = changed
-            .zip(inspected.as_ref())
-            .map(|(changed, inspected)| check_without_remedies(&options_after, changed, inspected));
+        let after = changed.zip(inspected.as_ref()).map_or_else(
+            || before.clone(),
+            |(changed, inspected)| all_findings(&options_after, changed, inspected),
+        );
+        let (after, _) = without_effects(changed.unwrap_or(&opened.model), after);
         let reference = self.reference.as_ref().map_or(&[][..], |reference| &reference.findings);
-        let mut judged = findings_of_result(&before, after.as_deref(), reference);
+        let mut judged = findings_of_result(&before, &sort_findings(after), reference);
         judged.iter_mut().for_each(|one| self.keep_ways_out(&mut one.message));
         // Conversion has advice of its own on what it makes.
         if self.verb == Verb::Convert {
@@ -184,11 +190,10 @@ impl PreparedChange {
     }
 }
 
-/// The findings `after` a change. Each is marked if the model had it `before`, or the `reference` has it. If nothing changes, the findings
-/// `before`.
+/// The findings `after` a change. Each is marked if the model had it `before`, or the `reference` has it.
 fn findings_of_result(
     before: &[FindingWithRemedy],
-    after: Option<&[FindingWithRemedy]>,
+    after: &[FindingWithRemedy],
     reference: &[FindingWithRemedy],
 ) -> Vec<Finding> {
     let index = FindingIndex::new(before);
@@ -204,7 +209,7 @@ fn findings_of_result(
                 && reference.iter().any(|was| was.code() == one.code() && was.severity >= one.severity))
     };
     let judged = |one: &FindingWithRemedy| Finding { had_before: had(one), ..one.finding.clone() };
-    after.unwrap_or(before).iter().map(judged).collect()
+    after.iter().map(judged).collect()
 }
 
 /// A key for each place of a finding. If two findings have a key in common, they are about the same fault at the same place.

@@ -43,11 +43,20 @@ pub fn check_without_remedies(
     model: &Model,
     inspected: &Inspection,
 ) -> Vec<FindingWithRemedy> {
-    let without_remedies = ChangeableValues { numbers: false, radii: false };
-    sort_findings(collect_findings(options, model, inspected, &[], without_remedies))
+    sort_findings(without_effects(model, all_findings(options, model, inspected)).0)
 }
 
-/// All findings about a model, with their remedies.
+/// All findings about a model that was inspected, without remedies, with those that only follow from others.
+pub fn all_findings(
+    options: &InspectOptions,
+    model: &Model,
+    inspected: &Inspection,
+) -> Vec<FindingWithRemedy> {
+    let without_remedies = ChangeableValues { numbers: false, radii: false };
+    collect_findings(options, model, inspected, &[], without_remedies)
+}
+
+/// All findings about a model, with their remedies, and with those that only follow from others.
 fn collect_findings(
     options: &InspectOptions,
     model: &Model,
@@ -133,7 +142,7 @@ fn collect_findings(
     for remedy in findings.iter_mut().filter_map(|finding| finding.remedy.as_mut()) {
         confirm_suspicions(remedy, model, &options.masses);
     }
-    without_effects(model, with_published_severities(model, &chosen, inspected, findings))
+    with_published_severities(model, &chosen, inspected, findings)
 }
 
 /// Whether `findings` have the code of `one` for all its spheres, as severely.

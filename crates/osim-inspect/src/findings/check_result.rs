@@ -8,6 +8,7 @@ use osim_requests::Request;
 use osim_requests::spell::FrontEnd;
 use serde::Serialize;
 
+use crate::findings::effects::without_effects;
 #[cfg(feature = "schemas")]
 use crate::serialized::FindingRecord;
 use crate::serialized::{SCHEMA_VERSION, records};
@@ -139,7 +140,7 @@ pub struct JointMomentsRecord {
 }
 
 /// Sorts findings from the most severe to the least severe; equally severe findings in the order of the register of rules.
-pub(crate) fn sort_findings(mut findings: Vec<FindingWithRemedy>) -> Vec<FindingWithRemedy> {
+pub fn sort_findings(mut findings: Vec<FindingWithRemedy>) -> Vec<FindingWithRemedy> {
     // Misplaced spheres come first: what such spheres do is a symptom.
     let is_symptom = |finding: &FindingWithRemedy| {
         !matches!(finding.code(), FindingCode::SpheresLeftBehind | FindingCode::SpheresMisplaced)
@@ -198,6 +199,7 @@ impl Counts {
 impl CheckResult {
     /// The result of a check: the findings sorted, counted, and with a verdict for each topic.
     pub fn new(model: &Model, inspected: &Inspection, findings: Vec<FindingWithRemedy>) -> Self {
+        let (findings, left_out) = without_effects(model, findings);
         let mut findings = sort_findings(findings);
         // A remark is no reason to change the model.
         for remark in findings.iter_mut().filter(|finding| finding.severity == Severity::Remark) {
@@ -215,7 +217,7 @@ impl CheckResult {
             model: inspected.model.clone(),
             model_bytes: inspected.model_bytes.clone(),
             counts: Counts::of(&findings),
-            verdicts: verdicts::answer_all(model, inspected, &findings),
+            verdicts: verdicts::answer_all(model, inspected, (&findings, &left_out)),
             findings,
             commands: Vec::new(),
             steps,

@@ -6,12 +6,12 @@ mod effects;
 mod finding;
 mod remedy;
 
-pub use check::{check_model, check_without_remedies};
+pub use check::{all_findings, check_model, check_without_remedies};
 pub use check_result::{
     CheckResult, ConsistencyRecord, CorrectedErrorRecord, Counts, JointMomentsRecord, ResidualRecord,
-    RootResidualRecord,
+    RootResidualRecord, sort_findings,
 };
-pub use effects::codes_of_effects;
+pub use effects::{codes_of_effects, without_effects};
 pub use finding::{FindingIndex, FindingWithRemedy};
 pub use remedy::ChangeableValues;
 pub(crate) use remedy::{
