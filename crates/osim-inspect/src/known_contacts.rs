@@ -306,7 +306,9 @@ impl KnownContactsEntry {
         let mut in_question = contacts.iter().filter(is_about).peekable();
         let are_unchanged = in_question.peek().is_some() && in_question.all(is_unchanged);
         let are_near = contacts.iter().all(is_near) && self.contacts.iter().all(has_near);
-        are_equal_masses(mass_kg, self.body_kg()) && (are_unchanged || are_near)
+        // Spheres share the load: how deep one is depends on the others.
+        let shares_load = matches!(finding.code(), FindingCode::SunkIn | FindingCode::BeyondHertz);
+        are_equal_masses(mass_kg, self.body_kg()) && ((!shares_load && are_unchanged) || are_near)
     }
 
     /// Whether `contact` has the published values, scaled to `mass` times the published mass, `share` times as many spheres and `radius`

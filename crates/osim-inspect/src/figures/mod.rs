@@ -22,8 +22,8 @@ use crate::figures::sphere_on_floor::{
 use crate::plane_judgement::weight_share_at_pose;
 use crate::{LoadSharing, Stance};
 
-pub(crate) use register::UP_TO_CENTRE_RADII;
 pub use register::{Figure, FigureVisibility, Figures, LimbFigures, LimitCheck, SphereFigures};
+pub(crate) use register::{ROUNDING_RADII, UP_TO_CENTRE_RADII};
 
 impl Figures {
     /// The figures of the `selected` forces of `model`, whose weight is shared as `sharing` says. Figures at the default pose need

@@ -260,10 +260,11 @@ impl LimbFigures {
 
 /// x̂ at which a sphere is in the floor up to its centre.
 pub(crate) const UP_TO_CENTRE_RADII: f64 = 1.0;
-/// A sphere whose x̂ with an equal share of the load is above this carries nothing: its stiffness lost digits.
-const CARRIES_NOTHING_RADII: f64 = 10.0;
+/// A sphere whose x̂ with an equal share of the load is above this carries hardly anything: its stiffness lost digits. A published one has
+/// 1.59.
+const CARRIES_NOTHING_RADII: f64 = 3.0;
 /// Tolerance for rounding errors of x̂.
-const ROUNDING_RADII: f64 = 1e-9;
+pub(crate) const ROUNDING_RADII: f64 = 1e-9;
 
 impl SphereFigures {
     /// The value of `figure`, or why it has none.

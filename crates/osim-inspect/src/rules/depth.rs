@@ -7,7 +7,7 @@ use osim_model::{Example, Finding, Repair, Rule, Severity, are_equal_masses};
 use osim_requests::Request;
 
 use crate::body_bones::is_named_after_foot;
-use crate::figures::UP_TO_CENTRE_RADII;
+use crate::figures::{ROUNDING_RADII, UP_TO_CENTRE_RADII};
 use crate::rules::figure_check::{FigureCheck, value_beyond_limit};
 use crate::rules::standing::{UnevenLimb, bottoms_by_path, level_feet};
 use crate::{Figure, FindingWithRemedy, SphereFigures};
@@ -23,7 +23,22 @@ rule! { pub(super) SUNK_IN: SunkIn, Error, Mass;
 
 /// Finds spheres that sink in up to their centres under the body weight.
 pub(super) fn find_sunk_in_spheres(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> {
-    sunk_in_level(check).or_else(|| sunk_in_at_own_heights(check))
+    sunk_in_level(check).or_else(|| sunk_in_at_own_heights(check)).or_else(|| soft_beside_stiffer(check))
+}
+
+/// A remark on spheres that an equal share of the load would press in up to their centres, if stiffer ones carry the body.
+fn soft_beside_stiffer(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> {
+    let carries = can_carry(check);
+    let affected = check.spheres_with(|sphere| {
+        let x = sphere.value(Figure::Indentation);
+        x.filter(|&x| x > UP_TO_CENTRE_RADII + ROUNDING_RADII && carries(sphere))
+    })?;
+    let x = four_significant(affected.largest);
+    let text = format!(
+        "with an equal share of the weight on {} spheres would sink {x} R into the floor (x/R by Hertz); stiffer ones beside them carry it",
+        check.inspected.carriers
+    );
+    Some(check.finding_at_sphere(&SUNK_IN, &text, &affected).with_severity(Severity::Remark).into())
 }
 
 /// Words in the names of hands, and of what they hold.
