@@ -229,6 +229,12 @@ const CASES_OF_SEVERAL_FILES: &[Case] = &[
         check: "model.osim",
     },
     Case {
+        code: "weak-at-rest",
+        fixtures: &[("check/within_limits.osim", "model.osim")],
+        before: "set model.osim hunt_crossley_smoothing=0.1 -o weak.osim",
+        check: "weak.osim",
+    },
+    Case {
         code: "odd-mesh",
         fixtures: &[
             ("feet/human_in_millimetres.osim", "model.osim"),

@@ -123,7 +123,7 @@ static FIGURE_RULES: RuleTable<fn(&FigureCheck<'_>) -> Option<FindingWithRemedy>
     (&[&smoothing::BEYOND_HUNT_CROSSLEY], smoothing::find_beyond_hunt_crossley),
     (&[&smoothing::LARGE_CONSTANT_INDENTATION], smoothing::find_large_constant_indentation),
     (&[&smoothing::WIDE_TRANSITION], smoothing::find_wide_transition),
-    (&[], smoothing::find_weak_at_rest),
+    (&[&smoothing::WEAK_AT_REST], smoothing::find_weak_at_rest),
     (&[&smoothing::FORCE_BEFORE_CONTACT], smoothing::find_force_before_contact),
     (&[&smoothing::FLOATS], smoothing::find_floating_body),
     (&[&standing::UNEVEN_BOTTOMS], standing::find_uneven_bottoms),

@@ -93,8 +93,8 @@ pub(super) fn find_large_constant_indentation(check: &FigureCheck<'_>) -> Option
 }
 
 rule! { pub(super) WIDE_TRANSITION: WideTransition, Warning, Solver;
-    what: "Smoothing switches contact on over more of the radius than in published models, or takes a part of the force of a sphere at rest.",
-    why: "hertz_smoothing is an inverse length: OpenSim's default of 300 1/m, made for spheres of 32 mm, spreads the onset of contact over 10 mm. On smaller spheres that is a large part of the radius, half of it before they touch (C.7). At rest, OpenSim multiplies the force by (1 + tanh(2 bv/(3 α)))/2 with hunt_crossley_smoothing bv and dissipation α.",
+    what: "Smoothing switches contact on over more of the radius than in published models.",
+    why: "hertz_smoothing is an inverse length: OpenSim's default of 300 1/m, made for spheres of 32 mm, spreads the onset of contact over 10 mm. On smaller spheres that is a large part of the radius, half of it before they touch (C.7).",
     advice: "Make hertz_smoothing larger, so that contact switches on over {suggested_width} of the radius",
     repair: Repair::Command("designs hertz_smoothing for a width within the limit"),
     example: Example::ElementText { tag: "hertz_smoothing", good: "310", bad: "100" },
@@ -109,6 +109,14 @@ pub(super) fn find_wide_transition(check: &FigureCheck<'_>) -> Option<FindingWit
         check.finding_at_force(&WIDE_TRANSITION, &text, &affected),
         narrow_transition(check.remedies),
     ))
+}
+
+rule! { pub(super) WEAK_AT_REST: WeakAtRest, Warning, Solver;
+    what: "The smoothing over speeds takes a part of the force of a sphere at rest.",
+    why: "At rest, OpenSim multiplies the force by (1 + tanh(2 bv/(3 α)))/2 with hunt_crossley_smoothing bv and dissipation α (C.9). With published numbers this is 1; else spheres sink in deeper.",
+    advice: "Make hunt_crossley_smoothing larger, until a sphere at rest presses with its whole force",
+    repair: Repair::NotPossible("only you know the right hunt_crossley_smoothing"),
+    example: Example::ElementText { tag: "hunt_crossley_smoothing", good: "52", bad: "0.1" },
 }
 
 /// A sphere at rest presses with at least this part of its force; with published numbers it is 1.
@@ -127,8 +135,7 @@ pub(super) fn find_weak_at_rest(check: &FigureCheck<'_>) -> Option<FindingWithRe
          the dissipation",
         four_significant(1.0 - affected.largest)
     );
-    let advice = "Make hunt_crossley_smoothing larger, until a sphere at rest presses with its whole force";
-    Some(check.finding_at_force(&WIDE_TRANSITION, &text, &affected).with_advice(advice).into())
+    Some(check.finding_at_force(&WEAK_AT_REST, &text, &affected).into())
 }
 
 /// A remedy that gives the contact the suggested transition width.

@@ -393,6 +393,7 @@ named! {
         TooStiff = "too-stiff",
         BeyondHuntCrossley = "beyond-hunt-crossley",
         LargeConstantIndentation = "large-constant-indentation",
+        WeakAtRest = "weak-at-rest",
         WideTransition = "wide-transition",
         ForceBeforeContact = "force-before-contact",
         Floats = "floats",
