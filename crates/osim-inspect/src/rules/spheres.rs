@@ -311,7 +311,7 @@ fn describe_odd_radius(worst: &OddRadius<'_>, count: usize, model: &Model) -> St
 const MOST_BODIES_ABOVE: usize = 8;
 
 rule! { pub(super) HEAVY_FOOT: HeavyFoot, Warning, Mass;
-    what: "A body with spheres weighs more than each body of its limb above it, or a body of a limb weighs a fifth of all and three times its counterpart.",
+    what: "A body with spheres weighs more than each body of its limb above it, or a body of a limb weighs more than a fifth of the whole body and more than three times its counterpart.",
     why: "A foot is lighter than the thigh: in published models it weighs 1 to 2 % of the body. A heavier one mostly has the mass of another body, or a decimal point in the wrong place, and swings as no foot does.",
     advice: "Write the mass of the body in kg",
     repair: Repair::NotPossible("only you know what the body weighs"),
@@ -336,7 +336,8 @@ fn find_heavier_than_counterpart(
             Side::of_name(other) == Some(side.other()) && without_side(other) == without_side(body)
         };
         let other = names().filter(|_| body_kg > MOST_OF_WHOLE_BODY * whole_kg).find(is_counterpart)?;
-        let other_kg = kg(other).filter(|other_kg| body_kg > MOST_TIMES_COUNTERPART * other_kg)?;
+        let is_lighter = |other_kg: &f64| *other_kg > 0.0 && body_kg > MOST_TIMES_COUNTERPART * other_kg;
+        let other_kg = kg(other).filter(is_lighter)?;
         Some((body, body_kg, (other_kg, other)))
     })
 }

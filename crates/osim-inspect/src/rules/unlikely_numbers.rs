@@ -43,6 +43,8 @@ pub(super) fn find_massless_body(model: &Model) -> Vec<Finding> {
 const RANGE_TOLERANCE: f64 = 1e-7;
 /// A default value that is outside by at most this part of the range is in the right unit.
 const SMALL_PART_OF_RANGE: f64 = 0.1;
+/// One that is outside by more than this, rad or m, is not.
+const MOST_IN_RIGHT_UNIT: f64 = 0.5;
 /// The range of a coordinate without one in the file, rad or m.
 const RANGE_OF_CLASS: [f64; 2] = [-10.0, 10.0];
 
@@ -65,7 +67,9 @@ pub(super) fn find_default_outside_range(model: &Model) -> Vec<Finding> {
         let [least, most] = range_of(one);
         match one.clamped {
             true => Severity::Error,
-            false if is_outside_by(one, SMALL_PART_OF_RANGE * (most - least)) => Severity::Warning,
+            false if is_outside_by(one, (SMALL_PART_OF_RANGE * (most - least)).min(MOST_IN_RIGHT_UNIT)) => {
+                Severity::Warning
+            }
             false => Severity::Remark,
         }
     };
