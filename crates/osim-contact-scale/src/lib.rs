@@ -60,7 +60,7 @@ fn call_of_arguments(columns: Option<usize>) -> Result<(Result<Call, RequestFaul
     let mut words = std::env::args_os().skip(1).peekable();
     let first = words.peek().cloned();
     let typed: Vec<String> = std::env::args_os().skip(1).filter_map(|word| word.into_string().ok()).collect();
-    let dashes = typed.iter().find_map(|word| message_about_dashes(word));
+    let dashes = typed.iter().take_while(|word| *word != "--").find_map(|word| message_about_dashes(word));
     if let Some(text) = dashes.or_else(|| suggested_list(&typed)) {
         return Ok((Err(RequestFault::general(text)), false));
     }
