@@ -289,18 +289,6 @@ fn plates_that_are_late_are_shifted() {
     assert!((rms_n(&late) / rms_n(&right) - 1.0).abs() > 1e-3, "{late}");
 }
 
-/// The only plate's force lies between the feet, as if both stood on it: 120 mm beside the right foot, which the left one passes.
-#[test]
-fn two_feet_on_one_plate_are_said() {
-    let Some(dir) = subject("two feet on one plate", "smooth") else { return };
-    let file = "subject01_walk1_grf.mot";
-    change(&dir, file, "l_ground_force", |_, _| 0.0);
-    let call = format!("{SUBJECT_CALL} --correct c.sto --force --format json");
-    dir.run(&call).succeeded().says_not(&["midway"]);
-    change(&dir, file, "ground_force_pz", |value, _| value - 0.12);
-    assert_eq!(dir.run(&call).says(&["lies midway between it and another foot"]).status, Some(1));
-}
-
 /// Plates whose origin lies 150 mm beside that of the motion.
 #[test]
 fn another_origin_of_the_plates_is_said() {

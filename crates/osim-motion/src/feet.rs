@@ -74,20 +74,11 @@ impl Foot {
         normal: DVec3,
         point_m: impl Fn(usize) -> Option<DVec3>,
     ) -> Option<f64> {
-        let in_frame = |frame: usize| Some(self.distance_m(states, frame, normal, point_m(frame)?));
+        let in_frame = |frame: usize| {
+            let spheres: Vec<DVec3> = self.contacts(states, frame).map(|state| state.centre_m).collect();
+            Some(level_distance_m(point_m(frame)?, &spheres, normal))
+        };
         percentile(&(0..states.frames()).filter_map(in_frame).collect::<Vec<f64>>(), 0.5)
-    }
-
-    /// The distance along the floor from a point to the foot in one frame, m.
-    pub(crate) fn distance_m(
-        &self,
-        states: &ContactStates,
-        frame: usize,
-        normal: DVec3,
-        point_m: DVec3,
-    ) -> f64 {
-        let spheres: Vec<DVec3> = self.contacts(states, frame).map(|state| state.centre_m).collect();
-        level_distance_m(point_m, &spheres, normal)
     }
 
     /// The states of the foot's contacts in one frame.

@@ -275,6 +275,8 @@ const LEAST_DEPTH_QUANTILE: f64 = 0.05;
 const CARRIED_BW: f64 = 0.6;
 /// The shortest time, s, in which a foot stands beside the plates. A swinging foot is low and still for a moment.
 const SHORTEST_STEP_S: f64 = 0.08;
+/// A foot that is on no plate carries for at most this time, s, before and after it does so alone.
+const LONGEST_STEP_ON_S: f64 = 0.15;
 
 /// The force of the plates under a foot along the normal, N, and its deepest contact, in one frame; `None` without data.
 type LoadOfFoot<'s> = Option<(f64, &'s ContactState)>;
@@ -339,10 +341,15 @@ fn frames_beside_plates(
     let mut is_beside_in = Vec::with_capacity(frames.len());
     for run in frames.chunk_by(|before, after| is_low(before) == is_low(after)) {
         let first = is_beside_in.len();
-        let alone = (first..first + run.len()).filter(|&frame| stands(frame) && !is_carried(frame));
-        let is_beside =
-            run.first().is_some_and(is_low) && alone.map(duration_s).sum::<f64>() >= SHORTEST_STEP_S;
-        is_beside_in.extend(std::iter::repeat_n(is_beside, run.len()));
+        let all = first..first + run.len();
+        let alone: Vec<usize> = all.clone().filter(|&frame| stands(frame) && !is_carried(frame)).collect();
+        let alone_s: f64 = alone.iter().map(|&frame| duration_s(frame)).sum();
+        let is_beside = run.first().is_some_and(is_low) && alone_s >= SHORTEST_STEP_S;
+        // How low a foot is that no plate carries is only known roughly: it swings low, too.
+        let is_near = |frame: usize| {
+            is_on_plate || alone.iter().any(|&one| (time_s(one) - time_s(frame)).abs() <= LONGEST_STEP_ON_S)
+        };
+        is_beside_in.extend(all.map(|frame| is_beside && is_near(frame)));
     }
     is_beside_in
 }

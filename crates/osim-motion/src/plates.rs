@@ -23,7 +23,7 @@ pub struct Plate {
 }
 
 /// In gaps of at most this length, s, forces are taken along straight lines. In longer ones, no force is known.
-pub const LONGEST_BRIDGED_GAP_S: f64 = 0.05;
+pub const LONGEST_BRIDGED_GAP_S: f64 = 0.05 + 1e-6;
 
 impl Plate {
     /// The plates of a table of ground reactions, by the names of its columns.

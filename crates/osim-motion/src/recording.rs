@@ -146,7 +146,9 @@ impl Recording {
             let is_measured = is_angle && !self.facts.kept.contains(&coordinate.name);
             let Some([least, most]) = coordinate.range.filter(|_| is_measured) else { return false };
             let usual = least - FAR_OUTSIDE_RAD..=most + FAR_OUTSIDE_RAD;
-            let outside = (0..self.frames()).filter(|frame| !usual.contains(&self.values(*frame)[*index]));
+            let values = (0..self.frames()).map(|frame| self.values(frame)[*index]);
+            // A body may walk in any direction: only with the other sign does a wrong angle fit.
+            let outside = values.filter(|value| !usual.contains(value) && usual.contains(&-value));
             2 * outside.count() > self.frames()
         };
         let outside = self.coordinates.iter().enumerate().filter(is_outside);

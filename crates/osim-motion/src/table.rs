@@ -190,7 +190,6 @@ impl Table {
             return Err(MotionFault::new("it has no rows of numbers"));
         }
         refuse_falling_times(&time_s, &numbers)?;
-        refuse_other_units_of_time(&time_s)?;
         (self.time_s, self.columns, self.lines) = (time_s, columns, numbers);
         Ok(())
     }
@@ -243,17 +242,22 @@ fn refuse_falling_times(time_s: &[f64], lines: &[usize]) -> Result<(), MotionFau
     Err(MotionFault::at(*line, text))
 }
 
-/// Nobody records more rows than this at steps longer than this, s.
+/// Nobody records forces in more rows than this at steps longer than this, s.
 const MOST_SLOW_ROWS: (usize, f64) = (100, 0.2);
 
-/// Refuses many rows that are so far apart that their times are not in seconds.
-fn refuse_other_units_of_time(time_s: &[f64]) -> Result<(), MotionFault> {
-    let (rows, step_s) = MOST_SLOW_ROWS;
-    let all_s = time_s.last().zip(time_s.first()).map_or(0.0, |(last, first)| last - first);
-    let mean_s = all_s / time_s.len() as f64;
-    let text = "s: are its times in milliseconds, or numbers of frames? They have to be in seconds";
-    let is_slow = time_s.len() > rows && mean_s > step_s;
-    if is_slow { Err(MotionFault::new(format!("it has a row every {mean_s:.2} {text}"))) } else { Ok(()) }
+impl Table {
+    /// Refuses many rows of plates that are so far apart that their times are not in seconds.
+    ///
+    /// # Errors
+    /// The mean step.
+    pub fn check_unit_of_time(&self) -> Result<(), MotionFault> {
+        let (rows, step_s) = MOST_SLOW_ROWS;
+        let all_s = self.time_s.last().zip(self.time_s.first()).map_or(0.0, |(last, first)| last - first);
+        let mean_s = all_s / self.rows() as f64;
+        let text = "s: are its times in milliseconds, or numbers of frames? They have to be in seconds";
+        let is_slow = self.rows() > rows && mean_s > step_s;
+        if is_slow { Err(MotionFault::new(format!("it has a row every {mean_s:.2} {text}"))) } else { Ok(()) }
+    }
 }
 
 // Names and numbers below the header.
@@ -393,7 +397,7 @@ mod tests {
     fn times_in_milliseconds_or_frames_are_refused() {
         let read = |step: f64| {
             let rows = (0..150).map(|row| format!("{} 1\n", step * f64::from(row))).collect::<String>();
-            Table::read(format!("endheader\ntime x\n{rows}").as_bytes())
+            Table::read(format!("endheader\ntime x\n{rows}").as_bytes()).unwrap().check_unit_of_time()
         };
         assert!(read(0.1).is_ok());
         for step in [1.0, 16.67] {

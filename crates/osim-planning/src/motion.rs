@@ -271,6 +271,7 @@ impl PlatesRead {
         files: &dyn Files,
     ) -> Result<Self, Failure> {
         let mut table = read_table(file, files)?;
+        table.check_unit_of_time().map_err(|fault| failure(file, &fault))?;
         if let Some(delay_s) = delay_s {
             table.time_s.iter_mut().for_each(|time_s| *time_s -= delay_s.get());
         }
@@ -335,7 +336,9 @@ pub fn unreadable_recording(request: &CheckRequest, files: &dyn Files) -> Option
 /// The failure for a fault in a motion file, with its line.
 fn failure(path: &Path, fault: &MotionFault) -> Failure {
     let place = fault.line.map(|line| format!("line {line}: ")).unwrap_or_default();
-    let mut message = Phrase::template(&format!("{place}{}", fault.message));
+    let text = format!("{place}{}", fault.message);
+    // Only the text of the program has templates: the fault may quote the file.
+    let mut message = if fault.line.is_some() { Phrase::from(text) } else { Phrase::template(&text) };
     if fault.needs_angles {
         message.push(&phrase![
             ": give {} or {}";

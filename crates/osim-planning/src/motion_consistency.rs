@@ -85,7 +85,9 @@ impl Consistency {
             ));
         }
         let seen = mismatches(model, recording, (states, feet), measured, weight_n);
-        let seen = seen.map_err(|fault| fault.to_string())?;
+        let mut seen = seen.map_err(|fault| fault.to_string())?;
+        // Forces along the floor are no goals then.
+        seen.retain(|one| !(options.vertical_only && matches!(one, Mismatch::Reversed { .. })));
         if let Some(cause) = seen.iter().find(|cause| cause.prevents_comparison()) {
             let why =
                 phrase!["contacts and plates do not agree: ", &cause_in_words(cause, feet, given_delay_s)];
@@ -174,9 +176,10 @@ fn left_minus_right_m(figures: &CorrectionFigures) -> Option<f64> {
 
 /// With fewer frames in common, plates and motion cannot be compared.
 const LEAST_FRAMES_IN_COMMON: usize = 10;
-/// Right recordings have centres of pressure within 50 mm after a correction; farther ones are said, m.
+/// Right recordings have centres of pressure within 50 mm after a correction; twice as much is said, m.
 const FAR_PRESSURE_M: f64 = 0.1;
-/// After a correction, 19 of 22 right recordings have an error of the vertical force below 0.12 body weights; no larger one is usual.
+/// After a correction, 19 of 22 right recordings have an error of the vertical force below 0.12 body weights. One above this is not called
+/// usual.
 const MOST_USUAL_VERTICAL_BW: f64 = 0.15;
 /// In a longer time without rows, s, the motion is not known well enough to be corrected.
 const LONGEST_GAP_S: f64 = 0.1;
@@ -229,11 +232,6 @@ pub(crate) fn cause_in_words(cause: &Mismatch, feet: &[Foot], given_delay_s: f64
                 "the {foot}'s force lies {own} from it and {away} from the {other}: are the feet swapped?"
             )
         }
-        Mismatch::SharedPlate { foot, time_s } => {
-            let (foot, time) = (name(foot), two_digits(time_s));
-            let text = format!("for {time} s the force of the {foot} lies midway between it and another");
-            text + " foot: do both stand on one plate?"
-        }
         Mismatch::Delay { late_s } => {
             let (ms, when) = (1e3 * late_s.abs(), if late_s > 0.0 { "later" } else { "earlier" });
             let text =
@@ -277,7 +275,8 @@ fn verdict_in_words(
         format!("; centres of pressure stay {apart} apart: have plates and motion the same origin and time?")
     });
     let cause = match (outside.as_str(), jump) {
-        (_, Some(jump)) => jump,
+        ("", Some(jump)) => jump,
+        (names, Some(jump)) => format!("{jump}, and {names} leave their ranges"),
         ("", None) if far.is_some() => String::new(),
         ("", None) => ", and no cause is seen".to_owned(),
         (names, None) => format!(", and {names} leave their ranges"),
@@ -285,7 +284,7 @@ fn verdict_in_words(
     let unexplained = format!("contacts and plates do not agree after any correction{cause}");
     let far = far.unwrap_or_default();
     match verdict {
-        MotionVerdict::Agree => format!("contacts and plates agree: {moves}").into(),
+        MotionVerdict::Agree => format!("contacts and plates agree: {moves}{far}").into(),
         MotionVerdict::LargeCorrection => match figures.unexplained_foot() {
             Some(FootErrors { foot, after, null, .. }) => {
                 let [after, null] = [after, null].map(|errors| two_digits(errors.vertical_bw));

@@ -109,27 +109,36 @@ fn explained(inertia: &[DVec3], force: &[DVec3]) -> (f64, f64) {
     (product / (squares * force_squares).sqrt(), product / force_squares)
 }
 
+/// A force along the floor that varies less than this, in body weights (standard deviation), may be cross-talk of the vertical one. Walks
+/// have 0.06 and more.
+const LEAST_REVERSED_BW: f64 = 0.02;
+
 /// The direction along a floor with this normal in which the plates' force is opposite to the inertia of the whole body, although this
-/// inertia explains the force along the normal. `None` if there is none, or if the time is too short to show it.
+/// inertia explains the force along the normal. `None` if there is none, if the force there is small, or if the time is too short to show it.
 pub(super) fn reversed_direction(
     time_s: &[f64],
     inertia_n: &[Option<DVec3>],
     force_n: &[Option<DVec3>],
-    normal: DVec3,
+    (normal, weight_n): (DVec3, f64),
 ) -> Option<DVec3> {
     let step_s = (time_s.last()? - time_s.first()?) / time_s.len().checked_sub(1)? as f64;
     let [inertia_n, force_n] = [inertia_n, force_n].map(|all| smoothed(all, step_s));
     let (inertia, force): (Vec<DVec3>, Vec<DVec3>) =
         inertia_n.iter().zip(&force_n).filter_map(|(inertia, force)| inertia.zip(*force)).unzip();
-    let correlation = |direction: DVec3| {
-        let [inertia, force] = [&inertia, &force]
-            .map(|all| all.iter().map(|one| one.project_onto(direction)).collect::<Vec<DVec3>>());
-        explained(&inertia, &force).0
+    let along = |all: &[DVec3], direction: DVec3| -> Vec<DVec3> {
+        all.iter().map(|one| one.project_onto(direction)).collect()
+    };
+    let correlation = |direction: DVec3| explained(&along(&inertia, direction), &along(&force, direction)).0;
+    let is_large = |direction: &DVec3| {
+        let all = along(&force, *direction);
+        let mean = all.iter().sum::<DVec3>() / all.len() as f64;
+        let squares: f64 = all.iter().map(|one| (*one - mean).length_squared()).sum();
+        (squares / all.len() as f64).sqrt() > LEAST_REVERSED_BW * weight_n
     };
     let is_explained = inertia.len() as f64 * step_s > LEAST_TIME_S && correlation(normal) > LEAST_INERTIA;
     let level = DVec3::AXES.map(|axis| axis.reject_from(normal)).into_iter();
     let mut level = level.filter(|along| is_explained && along.length_squared() > 0.5);
-    level.find(|along| correlation(*along) < -LEAST_INERTIA)
+    level.find(|along| is_large(along) && correlation(*along) < -LEAST_INERTIA)
 }
 
 #[cfg(test)]
@@ -169,10 +178,11 @@ mod tests {
         let inertia: Vec<Option<DVec3>> = times.iter().map(|time| Some(wave(time))).collect();
         let found = |signs: DVec3, rows: usize| {
             let force = times.iter().map(|time| Some(signs * wave(time))).collect::<Vec<_>>();
-            reversed_direction(&times[..rows], &inertia[..rows], &force[..rows], DVec3::Y)
+            reversed_direction(&times[..rows], &inertia[..rows], &force[..rows], (DVec3::Y, 700.0))
         };
         assert_eq!(found(DVec3::new(-1.0, 1.0, 1.0), 100), Some(DVec3::X));
-        // Right signs; a force that the inertia does not explain; too short.
+        // Cross-talk of the vertical force; right signs; a force that the inertia does not explain; too short.
+        assert_eq!(found(DVec3::new(-0.1, 1.0, 1.0), 100), None);
         assert_eq!(found(DVec3::ONE, 100), None);
         assert_eq!(found(-DVec3::ONE, 100), None);
         assert_eq!(found(DVec3::new(-1.0, 1.0, 1.0), 50), None);

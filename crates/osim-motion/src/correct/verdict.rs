@@ -9,10 +9,7 @@ use super::inertia::{delay_s, inertia_n, reversed_direction};
 use super::unknowns::CorrectionOptions;
 use crate::plate_assignment::SWAPPED_FOOT_DISTANCE_M;
 use crate::plate_comparison::percentile;
-use crate::{
-    AssignedBy, CentreOfPressure, ContactStates, Foot, MeasuredForces, Recording, StatesError, TOUCH_DOWN_BW,
-    Wrench,
-};
+use crate::{ContactStates, Foot, MeasuredForces, Recording, StatesError, TOUCH_DOWN_BW, Wrench};
 
 /// Why plates, motion and contacts do not go together.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -29,8 +26,6 @@ pub enum Mismatch {
     Place { foot: usize, distance_m: f64, unit: Option<&'static str> },
     /// The centre of pressure is nearer to another foot.
     Swapped { foot: usize, own_m: f64, other: usize, other_m: f64 },
-    /// The only plate under load has its force midway between this foot and another for this time, s.
-    SharedPlate { foot: usize, time_s: f64 },
     /// The plates are late by this time, s.
     Delay { late_s: f64 },
     /// The correction lifts the second foot this much more than the first, m.
@@ -51,12 +46,6 @@ const LARGEST_PRESSURE_DISTANCE_M: f64 = 0.5;
 const LARGER_PART: f64 = 0.5;
 /// A plate is under load above this part of its largest force.
 const LOADED_SHARE: f64 = 0.2;
-/// A force is midway between two feet if it is this far from the nearer one, m, and at most this many times as far from the other. In
-/// right recordings it is nearer, or the other foot is farther.
-const MIDWAY_M: std::ops::Range<f64> = 0.05..0.25;
-const MIDWAY_RATIO: f64 = 1.5;
-/// Only forces above this, body weights, and a time above this, s, show that two feet share a plate.
-const SHARED_LOAD: (f64, f64) = (0.2, 0.08);
 /// The smallest delay of the plates that counts, s.
 const LEAST_DELAY_S: f64 = 0.015;
 
@@ -141,51 +130,20 @@ pub fn mismatches(
             found.push(Mismatch::Place { foot, distance_m: own_m, unit });
         }
     }
-    if found.is_empty() {
-        found.extend(shared_plate((states, feet), measured, (normal, weight_n), pressure));
-    }
-    // Without the force of each foot, the whole body's inertia explains nothing.
-    if found.is_empty() && measured.of_loaded_feet().len() == feet.len() {
+    // Without the force of each foot, the whole body's inertia explains nothing. A foot may stay in the air.
+    let has_force =
+        |foot: usize| measured.beside[foot] == 0 && measured.feet[foot].iter().any(Option::is_some);
+    let are_known = (0..feet.len()).all(has_force) || measured.of_loaded_feet().len() == feet.len();
+    if found.is_empty() && are_known {
         let force_n: Vec<Option<DVec3>> =
             measured.total.iter().map(|wrench| Some(wrench.as_ref()?.force_n)).collect();
-        if let Some(along) = reversed_direction(&recording.time_s, &inertia_n, &force_n, normal) {
-            return Ok(vec![Mismatch::Reversed { along }]);
-        }
+        let reversed = reversed_direction(&recording.time_s, &inertia_n, &force_n, (normal, weight_n));
+        found.extend(reversed.map(|along| Mismatch::Reversed { along }));
         let late_s = delay_s(&recording.time_s, &inertia_n, &force_n);
         let late_s = late_s.filter(|late_s| late_s.abs() > LEAST_DELAY_S);
         found.extend(late_s.map(|late_s| Mismatch::Delay { late_s }));
     }
     Ok(found)
-}
-
-/// The foot on the only plate under load, if its force lies midway between it and another foot. `pressure` has the centre of pressure of
-/// a foot in a frame, and the force along the normal.
-fn shared_plate(
-    (states, feet): (&ContactStates, &[Foot]),
-    measured: &MeasuredForces,
-    (normal, weight_n): (DVec3, f64),
-    pressure: impl Fn(usize, usize) -> Option<(CentreOfPressure, f64)>,
-) -> Option<Mismatch> {
-    let plates = measured.uses.iter().filter(|plate| plate.by != Some(AssignedBy::Idle));
-    if plates.count() != 1 {
-        return None;
-    }
-    let (load_bw, least_s) = SHARED_LOAD;
-    let is_midway = |foot: usize, frame: usize| {
-        let Some((centre, force_n)) = pressure(foot, frame) else { return false };
-        let to = |other: usize| feet[other].distance_m(states, frame, normal, centre.point_m);
-        let (own_m, mut others) = (to(foot), (0..feet.len()).filter(|other| *other != foot));
-        force_n > load_bw * weight_n
-            && MIDWAY_M.contains(&own_m)
-            && others.any(|other| to(other) < MIDWAY_RATIO * own_m)
-    };
-    let all_s = states.time_s.last()? - states.time_s.first()?;
-    let shared = (0..feet.len()).map(|foot| {
-        let midway = (0..states.frames()).filter(|frame| is_midway(foot, *frame)).count();
-        (foot, midway as f64 / states.frames() as f64 * all_s)
-    });
-    let (foot, time_s) = shared.max_by(|a, b| a.1.total_cmp(&b.1))?;
-    (time_s > least_s).then_some(Mismatch::SharedPlate { foot, time_s })
 }
 
 /// The forces of plates in the frames with more than a small part of the largest.
