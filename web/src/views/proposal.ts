@@ -50,7 +50,10 @@ export class ProposalView {
     const model = this.session.model();
     this.#section.hidden = !model?.inspected;
     if (!model?.inspected || model === this.#model) return;
-    if (model.id !== this.#model?.id) this.#showFields(model);
+    if (model.id !== this.#model?.id) {
+      this.#showsResult = false;
+      this.#showFields(model);
+    }
     if (model.inspected.findings !== this.#model?.inspected?.findings) this.#show(model);
     this.#model = model;
   }

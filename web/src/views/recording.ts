@@ -95,7 +95,7 @@ export class RecordingView {
     if (key === this.#requestKey) return;
     this.#requestKey = key;
     this.#correction.offer(undefined);
-    setText(this.#lacks, isBare(model.inspected) ? "To play the motion, first give the model contacts, and keep them." : "motion" in chosen ? "" : "Open the recorded motion, too.");
+    setText(this.#lacks, !("motion" in chosen) ? "Open the recorded motion, too." : isBare(model.inspected) ? "To play the motion, first give the model contacts, and keep them." : "");
     if (!("motion" in chosen) || isBare(model.inspected)) return this.#show(undefined);
     try {
       const played = await this.session.engine.play(request);

@@ -105,7 +105,7 @@ export class StageView {
     // If a step of a slider did not request the scene, the old one stays.
     const after = preview.state === "done" && !done?.scene && !done?.unchanged ? this.#after : (done?.scene ?? undefined);
     // The first spheres of a model are looked at like another model.
-    const isNew = model.id !== this.#model || (now.spheres.length === 0 && !after !== !this.#after);
+    const isNew = model.id !== this.#model || (now.spheres.length === 0 && !this.#after && after !== undefined);
     const changed = isNew || now !== this.#now || after !== this.#after;
     [this.#model, this.#now, this.#after] = [model.id, now, done ? after : undefined];
     if (changed) this.#show();
