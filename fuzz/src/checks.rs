@@ -208,7 +208,7 @@ fn values_as_planned(before: &Model, plan: &Plan, after: &Model) {
         assert!(
             is_planned || bits.0 == bits.1 || (old.number.is_nan() && new.number.is_nan()),
             "{} went from {} to {}, which nobody planned",
-            old.property.name(),
+            old.property.as_str(),
             old.number,
             new.number
         );
