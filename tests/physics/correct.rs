@@ -335,8 +335,7 @@ fn a_step_beside_the_plates_carries_what_the_body_needs() {
     assert!(number(&left, "vertical_rms_bw") < 0.15 && number(&left, "measured_peak_n") > 600.0, "{left}");
 }
 
-/// The left foot is on no plate: it stands beside them in all 128 frames in which its own plate had more than 5 % of body weight, and in
-/// few of its other 83.
+/// The left foot is on no plate: it stands beside them in all 128 frames in which its own plate carried it, and in few of its other 83.
 #[test]
 fn a_foot_on_no_plate_stands_beside_them() {
     let Some(dir) = subject("a foot on no plate", "smooth") else { return };

@@ -63,7 +63,7 @@ pub(crate) struct StandardFoot {
 }
 
 impl BodyBones {
-    /// The bones of `model`; `None` if the radius or place of a sphere cannot be read.
+    /// Measures the bones of all bodies of `model`, once for each model; `None` if the radius or place of a sphere cannot be read.
     pub(crate) fn of(model: &Model) -> Option<&Self> {
         let mut spheres = model.spheres().iter();
         let are_read = spheres.all(|sphere| sphere.radius_m().is_ok() && model.rotation_of(sphere).is_ok());

@@ -85,7 +85,7 @@ struct LayoutCache {
 }
 
 impl LayoutCache {
-    /// The cache for the spheres in `list`; a new one if the spheres of the last call were at other places.
+    /// Finds the cache of `model` for the spheres in `list`, or makes a new one if the spheres of the last call were at other places.
     fn of(model: &Model, list: &[SphereCentre<'_>]) -> Arc<Self> {
         let last = model.derived_from_bodies(|_| Mutex::new(Arc::<Self>::default()));
         let mut last = last.lock().unwrap_or_else(PoisonError::into_inner);

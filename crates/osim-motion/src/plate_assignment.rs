@@ -306,7 +306,7 @@ fn frames_beside_plates(
 ) -> Vec<bool> {
     let frames = &loads[index];
     let is_above = |force_n: f64, least_bw: f64| force_n > least_bw * weight_n;
-    // Of a plate with the other sign, too: the sign is said later.
+    // A plate whose forces point down carries the foot, too: `mismatches` reports the sign.
     let is_on_plate = frames.iter().flatten().any(|(force_n, _)| is_above(force_n.abs(), LOADED_BW));
     let compared = if is_on_plate { &loads[index..=index] } else { loads };
     let under_load = |least_bw: f64, quantile: f64, of: &dyn Fn(&ContactState) -> f64| {

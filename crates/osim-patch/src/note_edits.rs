@@ -35,7 +35,7 @@ impl NotedMass {
         Self { kg, scope: if all { Scope::All } else { Scope::Partial } }
     }
 
-    /// The mass and scope of the note after a change of `model`; `contacts_mass` is the mass that its contacts were made for.
+    /// Decides the mass and scope of the note after a change of `model`; `contacts_mass` is the mass that its contacts were made for.
     /// In the table, a note has a mass (M) or none, and the scope all or partial:
     ///
     /// | note before the change | source of `contacts_mass` | note after the change |

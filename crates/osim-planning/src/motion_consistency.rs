@@ -176,7 +176,8 @@ fn left_minus_right_m(figures: &CorrectionFigures) -> Option<f64> {
 
 /// With fewer frames in common, plates and motion cannot be compared.
 const LEAST_FRAMES_IN_COMMON: usize = 10;
-/// Right recordings have centres of pressure within 50 mm after a correction; twice as much is said, m.
+/// In right recordings, centres of pressure of contacts and plates are within 50 mm after a correction. The result reports a larger
+/// distance than this, m.
 const FAR_PRESSURE_M: f64 = 0.1;
 /// After a correction, 19 of 22 right recordings have an error of the vertical force below 0.12 body weights. One above this is not called
 /// usual.

@@ -159,7 +159,7 @@ pub(super) struct SceneLayout<'s> {
 }
 
 impl<'s> SceneLayout<'s> {
-    /// The layout of `scene` with these entries of its legend.
+    /// Places the views of `scene` on the paper, and below them a legend with these `entries`: a sample and its name each.
     pub(super) fn of(scene: &'s Scene, paper: Paper, entries: Vec<(SceneSample, String)>) -> Self {
         let count_block_names = |block: &Block| block.views.iter().map(count_names).max().unwrap_or(0);
         let crowded = scene.blocks.iter().any(|block| count_block_names(block) > MOST_NAMES_IN_COLUMN);

@@ -1,4 +1,4 @@
-//! Leaves out findings that only follow from others, so that each cause is said once.
+//! Leaves out findings that only follow from other findings, so that `check` reports each cause once.
 
 use std::collections::BTreeSet;
 
