@@ -152,17 +152,17 @@ fn convert_reports_the_smoothing_parameters() {
 }
 
 #[test]
-fn convert_warns_if_the_body_would_float() {
+fn convert_asks_if_the_body_would_float() {
     let dir = TestDir::with(&[HUNT_CROSSLEY_MODEL]);
-    let floats = "convert hunt.osim --to smooth --constant-contact-force 1e-2 -o floats.osim";
-    dir.run(floats).succeeded().says(&["[floats]", "[force-before-contact]", "--constant-contact-force"]);
+    let call = "convert hunt.osim --to smooth --constant-contact-force 1e-2";
+    let question = "the model would be wrong afterwards [floats]: body weight is carried ";
+    dir.run(call).failed().wrote_nothing().says(&[question, "--yes wrong-afterwards"]);
+    let floats = dir.run(&format!("{call} -o floats.osim --yes wrong-afterwards")).succeeded();
+    let floats = floats.says(&["[floats]", "[force-before-contact]", "smooth less with --constant-contact-force"]);
     // `check` reports the same about the result.
     let check = dir.run("check floats.osim").says(&["[floats; ", "force-before-contact"]);
     let above = |text: String| text.split("carried ").nth(1).unwrap().split(" R").next().unwrap().to_owned();
-    assert_eq!(
-        above(dir.run("convert hunt.osim --to smooth --constant-contact-force 1e-2 --dry-run").out()),
-        above(check.out())
-    );
+    assert_eq!(above(floats.out()), above(check.out()));
     // With Falisse's smoothing there is no warning.
     let run = dir.run("convert hunt.osim --to smooth -o out.osim").succeeded();
     assert!(!run.out().contains("warning"), "{}", run.out());

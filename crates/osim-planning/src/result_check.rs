@@ -101,11 +101,6 @@ impl PreparedChange {
         let reference = self.reference.as_ref().map_or(&[][..], |reference| &reference.findings);
         let mut judged = findings_of_result(&before, &sort_findings(after), reference);
         judged.iter_mut().for_each(|one| self.keep_ways_out(&mut one.message));
-        // Conversion has advice of its own on what it makes.
-        if self.verb == Verb::Convert {
-            let own: HashSet<_> = plan.findings.iter().flat_map(cases_of).collect();
-            judged.retain(|one| !cases_of(one).all(|case| own.contains(&case)));
-        }
         let is_sunk_in = |one: &&Finding| !one.had_before && one.code() == FindingCode::SunkIn;
         // Contacts are scaled before the bodies, which then still have another mass. The default pose of the scaled bodies is not known, and
         // a warning about the present pose would come with every rescaling to another mass.
@@ -139,6 +134,11 @@ impl PreparedChange {
             let mut question = opened.failure(Fault::new(question_about(wrong, has_parted)));
             self.keep_ways_out(&mut question.message);
             return Err(question);
+        }
+        // Conversion has advice of its own on what it makes.
+        if self.verb == Verb::Convert {
+            let own: HashSet<_> = plan.findings.iter().flat_map(cases_of).collect();
+            judged.retain(|one| !cases_of(one).all(|case| own.contains(&case)));
         }
         let cases: HashSet<_> = judged.iter().flat_map(cases_of).collect();
         plan.findings.retain(|own| !cases_of(own).all(|case| cases.contains(&case)));

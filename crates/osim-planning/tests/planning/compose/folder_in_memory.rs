@@ -125,7 +125,8 @@ impl FolderInMemory {
             json!({"verb": "design", "restitution": 0.85, "impact_speed": 0.3}),
             json!({"verb": "design", "constant_indentation": 0.021}),
             json!({"verb": "convert", "to": "hunt-crossley"}),
-            json!({"verb": "convert", "to": "smooth"}),
+            // It asks where the smoothing that it takes would hold stiff contacts in the air.
+            json!({"verb": "convert", "to": "smooth", "yes": ["wrong-afterwards"]}),
             json!({"verb": "note", "contacts_mass": kg}),
             json!({"verb": "remove"}),
         ];
