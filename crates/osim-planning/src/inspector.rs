@@ -233,7 +233,8 @@ impl Inspector {
             (Some(Ok(generic)), Some(_)) => &generic.codes,
             _ => &NO_CODES,
         };
-        let mut result = RemedyTrials { options: &self.options, files, inspect: &inspect, of_reference }
+        let (options, inspect) = (&self.options, &inspect);
+        let mut result = RemedyTrials { options, files, inspect, of_reference, beside: &beside }
             .with_tried_remedies(model, result);
         result.similarity = similarity;
         if let Some(motion) = &self.motion {

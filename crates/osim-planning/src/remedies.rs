@@ -22,8 +22,8 @@ pub fn check_with_remedies(
     beside: &[Finding],
 ) -> CheckResult {
     let inspect = |name: &FileName, model: &Model| options.inspect(name.clone(), model, None);
-    let trials =
-        RemedyTrials { options, files: &InMemory::default(), inspect: &inspect, of_reference: &NO_CODES };
+    let files = &InMemory::default();
+    let trials = RemedyTrials { options, files, inspect: &inspect, of_reference: &NO_CODES, beside };
     trials.with_tried_remedies(model, check_with_trials(options, model, inspected, beside))
 }
 
@@ -41,6 +41,8 @@ pub(crate) struct RemedyTrials<'t> {
     pub(crate) inspect: &'t dyn Fn(&FileName, &Model) -> Inspection,
     /// Codes of the findings about the model before scaling. Its contacts bring these faults along.
     pub(crate) of_reference: &'t BTreeSet<FindingCode>,
+    /// Findings about companion files, which no remedy changes.
+    pub(crate) beside: &'t [Finding],
 }
 
 /// A remedy that works, and the findings about the model after it.
@@ -71,9 +73,9 @@ impl RemedyTrials<'_> {
             let step_without_it = step_without_it.filter(|_| may_have_command);
             one.remedy = step_without_it.map(|(step, _)| step.request.clone());
         }
-        let is_right =
-            |one: &&FindingWithRemedy| remaining.last().is_some_and(|left| is_put_right(one, left));
-        found.corrected = warnings_and_errors(&found).filter(is_right).count();
+        let left = steps.last().map_or(&found, |step| &step.found);
+        found.corrected =
+            warnings_and_errors(&found).count().saturating_sub(warnings_and_errors(left).count());
         found.steps = steps.into_iter().map(|step| step.request).collect();
         found
     }
@@ -120,7 +122,7 @@ impl RemedyTrials<'_> {
         let plan = change.plan_alone(model).ok().filter(|plan| !plan.is_empty())?;
         let model = plan.changed_model(model).ok()?;
         let inspected = (self.inspect)(&FileName::from(to), &model);
-        let found = check_with_trials(self.options, &model, &inspected, &[]);
+        let found = check_with_trials(self.options, &model, &inspected, self.beside);
         Some((model, found))
     }
 
@@ -141,7 +143,9 @@ impl RemedyTrials<'_> {
         let are_gone = its.iter().all(is_gone);
         let makes_forces = matches!(request, Request::Convert(_));
         // What followed from a fault that is gone now may have been left out before.
-        let unsaid = self.of_reference | &codes_of_effects(&before.findings);
+        let mut unsaid = self.of_reference | &codes_of_effects(&before.findings);
+        // A foot that is uneven in the model before scaling can be so by more than the limit at another height.
+        unsaid.extend(unsaid.contains(&FindingCode::UnlevelFoot).then_some(FindingCode::UnevenBottoms));
         let has_new_warnings = warnings_and_errors(after)
             .filter(|one| findings_before.find_same(one).is_none() && !unsaid.contains(&one.code()))
             .any(|one| one.spheres.is_empty())

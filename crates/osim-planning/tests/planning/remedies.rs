@@ -2,13 +2,14 @@
 //!
 //! Expected numbers are the limits of the paper and its equations, computed by hand.
 
-use crate::checks::{check_foot, check_text, check_with, find, has, remedy};
+use crate::checks::{check_foot, check_text, check_with, find, has, remedy, rule};
 use crate::feet::{SOLE, SmoothContact, foot};
 use contact_scaling::SharedLoad;
 use osim_inspect::{CheckResult, InspectOptions, Stance};
 use osim_model::messages::{Call, Dialect, Example, Input};
-use osim_model::{Assignment, FileId, FindingCode, MassRequest, Model, Property, Selection};
+use osim_model::{Assignment, FileId, Finding, FindingCode, MassRequest, Model, Property, Selection};
 use osim_patch::{Design, DesignModulus, design};
+use osim_planning::check_with_remedies;
 use osim_requests::options::WantedOptions;
 use osim_requests::spell::FrontEnd;
 use osim_requests::{ConstantIndentation, Request};
@@ -172,6 +173,17 @@ fn a_remark_has_no_remedy() {
 fn the_hertz_law_has_no_constant_indentation_to_bring_down() {
     let result = check("human.osim", &HUNT_CROSSLEY.replace(">1000000<", ">100000<"));
     assert_eq!(design_of(&result, FindingCode::SunkIn), json!({"indentation": 0.16}));
+}
+
+#[test]
+fn a_fault_of_a_mesh_stays_after_the_commands() {
+    let model = Model::parse(human()).unwrap();
+    let options = InspectOptions::default();
+    let mesh = Finding::new(rule(FindingCode::OddMesh), "a mesh in millimetres");
+    let inspected = options.inspect("human.osim", &model, None);
+    let found = check_with_remedies(&options, &model, &inspected, &[mesh]);
+    assert_eq!(found.corrected, found.counts.error + found.counts.warning - 1);
+    assert!(!found.steps.is_empty() && find(&found, FindingCode::OddMesh).remedy.is_none());
 }
 
 #[test]
