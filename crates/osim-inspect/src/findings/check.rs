@@ -122,6 +122,11 @@ fn collect_findings(
         let makes_level = |remedy: &mut Request| matches!(remedy, Request::Set(set) if set.level);
         findings.iter_mut().for_each(|one| drop(one.remedy.take_if(makes_level)));
     }
+    if findings.iter().any(|one| one.code() == LeftRightDiffer && one.remedy.is_none()) {
+        // While the wrong side is not known, it is not known either how deep its spheres sink.
+        let needs_depth = |code| matches!(code, SunkIn | BeyondHertz | Floats | ForceBeforeContact);
+        findings.iter_mut().filter(|one| needs_depth(one.code())).for_each(|one| one.remedy = None);
+    }
     if options.selection.apply(model).is_err_and(|fault| matches!(fault.kind, FaultKind::NoContacts { .. })) {
         // A model without contacts needs neither a number of spheres nor a mass.
         findings.retain(|one| !matches!(one.code(), CountUnknown | MassUnknown));

@@ -91,6 +91,10 @@ fn the_side_that_is_a_slip_is_put_right_whichever_it_is() {
 fn no_remedy_is_proposed_if_the_wrong_side_is_not_known() {
     // Two feet of two forces each, and one foot is stiffer: no number is published.
     assert_copied(MODEL_OF_UNEQUAL_STIFFNESS, &Value::Null);
+    // Nor is a smoothing that suits the one side or the other.
+    let text = MODEL_OF_UNEQUAL_STIFFNESS.replace(">1.5e-05<", ">8e-06<");
+    let text = text.replace("<stiffness>1000000<", "<stiffness>40000000<");
+    assert_eq!(remedy(&check_text(&text), FindingCode::ForceBeforeContact), Value::Null);
 }
 
 #[test]
