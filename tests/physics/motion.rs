@@ -213,6 +213,8 @@ fn wrong_recordings_are_refused_with_a_reason() {
     // So is a check: of a file that is not read, no verdict follows.
     assert_refused(&dir, "check walker.osim --motion walk.mot --plates plates.xml", "go with --loads");
     assert_refused(&dir, "check walker.osim --motion . --plates plates.sto", "this is a folder");
+    let no_plates = "check walker.osim --motion walk.mot --plates walk.mot";
+    assert_refused(&dir, no_plates, "walk.mot: it has no columns of a force that are known");
     let loads = "motion walker.osim walk.mot --plates plates.sto --loads plates.sto";
     assert_refused(&dir, loads, "plates.sto: it is not XML, expected an ExternalLoads file");
     assert_refused(&dir, "motion walker.osim walk.mot --low-pass 60", "below half of that, 50 Hz");

@@ -328,9 +328,11 @@ fn read_loads(path: &Path, files: &dyn Files) -> Result<ExternalLoads, Failure> 
 pub fn unreadable_recording(request: &CheckRequest, files: &dyn Files) -> Option<Failure> {
     let is_pipe = |path: &Path| path.exists() && !path.is_file() && !path.is_dir();
     let is_file = |path: &&PathBuf| path.as_os_str() != "-" && !is_pipe(path);
-    let tables = [&request.motion, &request.plates].into_iter().flatten().filter(is_file);
-    let loads = request.loads.iter().filter(is_file).filter_map(|path| read_loads(path, files).err());
-    tables.filter_map(|path| read_table(path, files).err()).chain(loads).next()
+    let motion = request.motion.as_ref().filter(is_file).and_then(|path| read_table(path, files).err());
+    let loads = request.loads.as_ref();
+    let are_files = |plates: &&PathBuf| is_file(plates) && loads.is_none_or(|loads| is_file(&loads));
+    let plates = request.plates.as_ref().filter(are_files);
+    motion.or_else(|| PlatesRead::read(plates?, loads.map(PathBuf::as_path), None, files).err())
 }
 
 /// The failure for a fault in a motion file, with its line.
