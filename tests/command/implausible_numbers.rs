@@ -29,6 +29,19 @@ fn rescale_asks_about_a_radius_in_another_unit() {
 }
 
 #[test]
+fn a_stiffness_like_a_factor_or_in_mpa_causes_a_question() {
+    let dir = TestDir::with_human();
+    let question =
+        "a stiffness would be 2 N/m2, and is 1000000 now: write x2 to multiply it, or 2000000 if it is in MPa";
+    for call in ["set human.osim stiffness=2", "sweep human.osim --grid stiffness=2,3e6 -d out"] {
+        dir.run(call).failed().wrote_nothing().says(&[question, "--yes wrong-afterwards"]);
+    }
+    for call in ["stiffness=x2", "stiffness=1001", "stiffness=2 --yes wrong-afterwards"] {
+        dir.run(&format!("set human.osim {call} --dry-run")).succeeded();
+    }
+}
+
+#[test]
 fn lengths_in_millimetres_cause_a_question_without_a_model() {
     let dir = TestDir::with(&[("measured/heel_pad.csv", "heel_pad.csv")]);
     let asks = |arguments: &str, name: &str| {

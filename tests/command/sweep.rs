@@ -225,7 +225,7 @@ fn a_sweep_reports_its_size_first_and_many_models_need_yes() {
         .succeeded()
         .wrote_nothing()
         .says(&["9 models of"]);
-    let huge = "sweep emu.osim --grid stiffness=1..9/1000 --grid dissipation=1..9/1000 --grid radius=0.01..0.09/1000 --dry-run";
+    let huge = "sweep emu.osim --grid stiffness=1e6..9e6/1000 --grid dissipation=1..9/1000 --grid radius=0.01..0.09/1000 --dry-run";
     dir.run(huge).succeeded().wrote_nothing().says(&["1000000000 models of"]);
     dir.run("sweep emu.osim --grid stiffness=x1,x2 -d out").succeeded().matches_snapshot("sweep");
     dir.run("sweep emu.osim --grid stiffness=x1,x2 -d out")

@@ -12,7 +12,7 @@ use osim_model::{
     Assignment, Fault, FaultKind, FileId, Finding, MassRequest, MissingFact, Model, Property, Suspicion,
     YesQuestion,
 };
-use osim_patch::{Plan, Set, set};
+use osim_patch::{ChangedBy, Plan, Set, set};
 use osim_requests::options::{AnswerOptions, InspectionOptions, OutputOptions, SetFiles};
 use osim_requests::values::path;
 use osim_requests::{NoteDetails, verb_takes};
@@ -145,7 +145,7 @@ impl PreparedChange {
     pub fn plan_alone(&self, model: &Model) -> Result<Plan, Fault> {
         self.ask_about_masses(model)?;
         let plan = self.planner.plan(model)?;
-        self.ask_about_radii(model, plan)
+        self.ask_about_numbers(model, plan)
     }
 
     /// Plans like [`plan_alone`](Self::plan_alone), with the files beside the model.
@@ -156,7 +156,7 @@ impl PreparedChange {
         let failure = |fault| opened.failure(fault);
         self.ask_about_masses(&opened.model).map_err(failure)?;
         let plan = self.planner.plan_with_companions(opened, files)?;
-        self.ask_about_radii(&opened.model, plan).map_err(failure)
+        self.ask_about_numbers(&opened.model, plan).map_err(failure)
     }
 
     /// Asks a question if a mass that the caller gave looks like a typing mistake or another unit, or differs from the mass in the note of
@@ -172,8 +172,10 @@ impl PreparedChange {
         self.answers.require_yes(suspicion).map_err(Fault::new)
     }
 
-    /// Asks a question about radii that look like a typing mistake or another unit, and adds a remark if a mass is perhaps in pounds.
-    fn ask_about_radii(&self, model: &Model, mut plan: Plan) -> Result<Plan, Fault> {
+    /// Asks a question about radii and stiffnesses that look like a typing mistake or another unit, and adds a remark if a mass is perhaps
+    /// in pounds.
+    fn ask_about_numbers(&self, model: &Model, mut plan: Plan) -> Result<Plan, Fault> {
+        self.answers.require_yes(question_about_stiffness(&plan)).map_err(Fault::new)?;
         let masses = self.masses();
         let in_pounds = masses.masses_perhaps_in_pounds(model);
         let question = first_unexplained(in_pounds, &masses, model, &self.options.selection);
@@ -220,6 +222,23 @@ impl PreparedChange {
         }
         json!([settings, self.output.no_note]).to_string()
     }
+}
+
+/// A stiffness below this, N/m², is hardly that of a contact.
+const LEAST_STIFFNESS: f64 = 1e3;
+
+/// The question about a stiffness that was given, if it is at most a thousandth of the present one: a factor or MPa were probably meant.
+fn question_about_stiffness(plan: &Plan) -> Option<Suspicion> {
+    let odd = plan.changes.iter().find(|change| {
+        let is_given = change.by == ChangedBy::Given && change.factor.is_none();
+        let is_small = change.to < LEAST_STIFFNESS && change.to * 1e3 <= change.from;
+        change.property == Property::Stiffness && is_given && is_small
+    })?;
+    let (to, from, from_mpa) = (readable(odd.to), readable(odd.from), readable(odd.to * 1e6));
+    let text = format!(
+        "a stiffness would be {to} N/m2, and is {from} now: write x{to} to multiply it, or {from_mpa} if it is in MPa"
+    );
+    Some(Suspicion::Other { question: YesQuestion::WrongAfterwards, text: text.into() })
 }
 
 /// The question whether a mass that was given for several models is right for this model, whose note has another mass.
