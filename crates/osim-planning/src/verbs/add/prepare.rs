@@ -102,18 +102,16 @@ fn refuse_useless_options(request: &AddRequest) -> Result<(), RequestFault> {
         ];
         return Err(RequestFault::refused(Input::Radius, message));
     }
-    if !request.feet.is_empty() && request.count.is_none() {
-        let message = phrase![
-            Input::Count.with_placeholder("N"),
-            " is missing: how many spheres are to be under each foot?"
-        ];
-        return Err(RequestFault::refused(Input::Count, message));
-    }
-    if !request.feet.is_empty() && request.pad.is_none() {
-        return Err(RequestFault::refused(
-            Input::Pad,
-            phrase![Input::Pad.with_placeholder("METRES"), " is missing: ", PAD_ADVICE],
-        ));
+    let missing = (request.count.is_none(), request.pad.is_none());
+    if !request.feet.is_empty() && missing != (false, false) {
+        let count = Input::Count.with_placeholder("N");
+        let count = phrase![count, " is missing: how many spheres are to be under each foot?"];
+        let pad = phrase![Input::Pad.with_placeholder("METRES"), " is missing: ", PAD_ADVICE];
+        return Err(match missing {
+            (true, true) => RequestFault::refused(Input::Count, phrase![&count, " ", &pad]),
+            (true, false) => RequestFault::refused(Input::Count, count),
+            _ => RequestFault::refused(Input::Pad, pad),
+        });
     }
     if let Some(pad) = request.pad.map(Metres::get).filter(|pad| *pad > LARGEST_PAD) {
         let message =
