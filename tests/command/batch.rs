@@ -140,7 +140,12 @@ fn a_table_that_is_not_a_manifest_is_refused_with_a_correction() {
 fn rows_may_share_a_model_but_not_an_output() {
     let dir = TestDir::with_human();
     dir.write("m.csv", "model,target-mass,output\nhuman.osim,5,mouse.osim\nhuman.osim,500,Mouse.osim\n");
-    dir.run("batch m.csv").usage_error().wrote_nothing().says(&["row 2", "row 3", "would both be written"]);
+    dir.run("batch m.csv").usage_error().wrote_nothing().says(&[
+        "row 2",
+        "row 3",
+        "would both be written",
+        "different names or folders in a column output",
+    ]);
     dir.write("m.csv", "model,target-mass,output\nhuman.osim,5,a.osim\nhuman.osim,500,b.osim\n");
     dir.run("batch m.csv").succeeded().wrote(&["a.osim", "b.osim"]);
     dir.run("human.osim --target-mass 5 -o c.osim").succeeded();

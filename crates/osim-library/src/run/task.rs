@@ -211,8 +211,10 @@ impl<'p> PathConflicts<'p> {
     /// Adds a file that is written; refuses it if it is written for something else already.
     fn add_output_once(&mut self, real: NameDigest, path: &Path, owner: PathOwner<'p>) -> Result<()> {
         if let Some(other) = self.outputs.insert(real, owner) {
+            let of_row = matches!(owner, PathOwner::Model(_, Some(_)));
+            let column = if of_row { " in a column output" } else { "" };
             return Err(LibraryFault::new(format!(
-                "{other} and {owner} would both be written to {}: give them different names or folders",
+                "{other} and {owner} would both be written to {}: give them different names or folders{column}",
                 path.display()
             )));
         }
