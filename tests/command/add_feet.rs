@@ -50,7 +50,7 @@ fn feet_without_usable_meshes_or_options_are_refused() {
         ("calcn_r --count 4", "--pad METRES is missing: bones have no skin"),
         ("calcn_r --count 4", "0.033 under a human heel"),
         ("calcn_r --pad 0.01", "--count N is missing"),
-        ("calcn_r", "--count N is missing: how many spheres are to be under each foot? --pad METRES is missing: "),
+        ("calcn_r", "under each foot? --pad METRES is missing: bones have no skin"),
         ("calcn_r --pad -0.01 --count 4", "--pad '-0.01': expected"),
         ("calcn_r --count 0 --pad 0.01", "expected a whole number from 1 to 60"),
         ("calcn_r --count 4 --pad 0.01 --radius follow", "--radius follow has no effect here"),

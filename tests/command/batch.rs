@@ -144,7 +144,7 @@ fn rows_may_share_a_model_but_not_an_output() {
         "row 2",
         "row 3",
         "would both be written",
-        "different names or folders in a column output",
+        "different names or folders in the column output",
     ]);
     dir.write("m.csv", "model,target-mass,output\nhuman.osim,5,a.osim\nhuman.osim,500,b.osim\n");
     dir.run("batch m.csv").succeeded().wrote(&["a.osim", "b.osim"]);

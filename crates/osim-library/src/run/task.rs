@@ -212,7 +212,7 @@ impl<'p> PathConflicts<'p> {
     fn add_output_once(&mut self, real: NameDigest, path: &Path, owner: PathOwner<'p>) -> Result<()> {
         if let Some(other) = self.outputs.insert(real, owner) {
             let of_row = matches!(owner, PathOwner::Model(_, Some(_)));
-            let column = if of_row { " in a column output" } else { "" };
+            let column = if of_row { " in the column output" } else { "" };
             return Err(LibraryFault::new(format!(
                 "{other} and {owner} would both be written to {}: give them different names or folders{column}",
                 path.display()
