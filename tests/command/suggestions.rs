@@ -136,6 +136,8 @@ fn a_verb_after_its_model_and_an_option_of_another_verb_get_a_suggestion() {
         // As word processors write it, and pages that are printed.
         ("check human.osim –from g.osim", "'–from' does not begin with two hyphens: did you mean --from?"),
         ("/?", "the help is printed by 'help'"),
+        ("osim-contact-scale check human.osim", "the name of the program is typed once"),
+        ("help check transfer", "unexpected argument 'transfer' found"),
         ("plot human.osim -o f.svg", "name one before the model, as in 'plot force human.osim'"),
         ("motion human.osim walk.mot plates.sto", "did you mean --plates plates.sto?"),
         ("human.osim --target-mass 80 --overwrite", "did you mean --force?"),

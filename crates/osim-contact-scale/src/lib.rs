@@ -89,6 +89,11 @@ fn suggestion_for_call() -> Option<String> {
     let is_option = |word: &PathBuf| word.as_os_str().as_encoded_bytes().starts_with(b"-");
     let is_verb = |word: &PathBuf| verb_names().any(|name| word.as_os_str() == name);
     let after_verb = usize::from(words.first().is_some_and(is_verb));
+    // These verbs take no models.
+    let takes_verb = |word: &PathBuf| word.as_os_str() == "help" || word.as_os_str() == "man";
+    if words.first().is_some_and(takes_verb) {
+        return None;
+    }
     // The kind of a figure is no file, although one has the name of a verb.
     let is_plot = words.first().is_some_and(|word| word.as_os_str() == Verb::Plot.name());
     let is_kind = |word: &PathBuf| word.to_str().is_some_and(|word| word.parse::<PlotKind>().is_ok());

@@ -10,10 +10,11 @@ use osim_planning::may_be_file;
 use osim_requests::register::{List, option_named};
 use osim_requests::{AxisName, Kilograms, PlotKind, no_fig1};
 
-use crate::args::{begins_alike, verb_names};
+use crate::args::{PROGRAM_NAME, begins_alike, verb_names};
 
 /// Verbs of other programs, with what to say instead of `did you mean`.
-const VERBS_OF_OTHER_PROGRAMS: [(&[&str], &str); 5] = [
+const VERBS_OF_OTHER_PROGRAMS: [(&[&str], &str); 6] = [
+    (&[PROGRAM_NAME], "the name of the program is typed once"),
     (&["info", "show", "view"], "the contacts of a model are shown by 'inspect'"),
     (&["lint", "validate", "verify"], "a model is checked by 'check'"),
     (&["fix"], "'check --fix' corrects a model"),
@@ -28,7 +29,7 @@ pub(crate) fn suggest(words: &[PathBuf], may_be_mass: bool, terms: Words) -> Opt
     let is_known = |word: &Path| word.exists() || word.as_os_str() == "-";
     let is_first = |verb: &&str| first.as_os_str().eq_ignore_ascii_case(verb);
     if let Some((_, text)) = VERBS_OF_OTHER_PROGRAMS.iter().find(|(verbs, _)| verbs.iter().any(is_first))
-        && !is_known(first)
+        && (!is_known(first) || is_first(&PROGRAM_NAME))
     {
         return Some(format!("'{}' is neither a verb nor a file: {text}", first.display()));
     }
