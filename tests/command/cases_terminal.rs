@@ -69,6 +69,8 @@ fn files_that_are_not_models_are_named_by_what_they_are() {
         let text = format!("this is {what} archive, expected an OpenSim model: unpack it first");
         dir.run(&format!("inspect {name}")).failed().says(&[&text]);
     }
+    dir.write("subjects.csv", "model,target-mass\nhuman.osim,70\n");
+    dir.run("check subjects.csv").failed().says(&["this is a table", "tables of models go with batch"]);
     // The shells of Windows hand them over as they are.
     dir.run("check *.osim").failed().says(&["names with * are not searched for: name the folder"]);
     for name in ["walk.mot", "plates.sto"] {

@@ -20,6 +20,9 @@ pub enum SyntaxFault {
     Packed(&'static str),
     #[error("this is a motion or another table of OpenSim, expected a model: to compare the two, ")]
     Motion,
+    /// The first line has a column `model`.
+    #[error("this is a table, expected an OpenSim model: tables of models go with ")]
+    Table,
     #[error("the file is empty, expected an OpenSim model: get it again from where it came")]
     Empty,
     /// The file is UTF-16, or another encoding with two bytes a letter.
@@ -253,6 +256,7 @@ impl<'t> Scanner<'t> {
     fn stray_text_fault(&self, at: usize) -> Fault {
         let kind = match self.elements.is_empty() {
             true if self.text.contains("endheader") => SyntaxFault::Motion,
+            true if has_model_column(self.text) => SyntaxFault::Table,
             true => SyntaxFault::NotXml,
             false => SyntaxFault::TextOutsideRoot,
         };
@@ -278,6 +282,12 @@ impl<'t> Scanner<'t> {
 /// Converts a position of quick-xml from `u64`. It never exceeds the length of the bytes.
 fn offset(position: u64) -> usize {
     usize::try_from(position).unwrap_or(usize::MAX)
+}
+
+/// Whether the first line of a text names the columns of a table, one of them `model`.
+fn has_model_column(text: &str) -> bool {
+    let first = text.lines().next().unwrap_or_default();
+    first.split([',', ';', '\t']).any(|cell| cell.trim_matches(['"', '\u{feff}', ' ']) == "model")
 }
 
 fn tag_name(tag: &str) -> String {
@@ -350,6 +360,7 @@ mod tests {
         assert_eq!(fault_of_xml(b""), (SyntaxFault::Empty, 0));
         assert_eq!(fault_of_xml(b" \r\n"), (SyntaxFault::Empty, 0));
         assert_eq!(fault_of_xml(b"mass 62"), (SyntaxFault::NotXml, 0));
+        assert_eq!(fault_of_xml(b"#subject;\"model\"\n1;a.osim\n"), (SyntaxFault::Table, 0));
         assert_eq!(fault_of_xml(b"<a/><b/>"), (SyntaxFault::SecondRoot, 4));
         assert_eq!(fault_of_xml(b"<a/>x"), (SyntaxFault::TextOutsideRoot, 4));
         assert_eq!(fault_of_xml(b"<a><b></b>"), (SyntaxFault::Unclosed { tag: "a".into() }, 0));

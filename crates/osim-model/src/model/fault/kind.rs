@@ -95,7 +95,11 @@ impl FaultKind {
     pub fn code(&self) -> &'static str {
         match self {
             Self::Syntax(
-                SyntaxFault::NotXml | SyntaxFault::Empty | SyntaxFault::Packed(_) | SyntaxFault::Motion,
+                SyntaxFault::NotXml
+                | SyntaxFault::Empty
+                | SyntaxFault::Packed(_)
+                | SyntaxFault::Motion
+                | SyntaxFault::Table,
             ) => "not-xml",
             Self::Syntax(SyntaxFault::Utf16 | SyntaxFault::SecondByteOrderMark) => "encoding",
             Self::Syntax(SyntaxFault::DoctypeSubset) => "doctype",
@@ -131,6 +135,7 @@ impl FaultKind {
         match self {
             Self::MissingFact(fact) => fact.phrase(),
             Self::Suspicion(doubt) => doubt.phrase(),
+            Self::Syntax(fault @ SyntaxFault::Table) => phrase![fault.to_string(), Verb::Batch.call()],
             Self::Syntax(fault @ SyntaxFault::Motion) => phrase![
                 fault.to_string(),
                 Verb::Check
