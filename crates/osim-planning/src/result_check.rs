@@ -135,11 +135,6 @@ impl PreparedChange {
             self.keep_ways_out(&mut question.message);
             return Err(question);
         }
-        // Conversion has advice of its own on what it makes.
-        if self.verb == Verb::Convert {
-            let own: HashSet<_> = plan.findings.iter().flat_map(cases_of).collect();
-            judged.retain(|one| !cases_of(one).all(|case| own.contains(&case)));
-        }
         let cases: HashSet<_> = judged.iter().flat_map(cases_of).collect();
         plan.findings.retain(|own| !cases_of(own).all(|case| cases.contains(&case)));
         if awaits {
@@ -229,14 +224,17 @@ pub(crate) fn findings_without_remedies(
 
 /// The question whether the caller wants a result with the fault `wrong`. `has_parted` says that the change moved bottoms of a foot apart.
 fn question_about(wrong: &Finding, has_parted: bool) -> Suspicion {
-    let advice = if has_parted {
-        phrase![
+    let advice = match wrong.code() {
+        _ if has_parted => phrase![
             "Radii that differ change around centres that stay, so lowest points move apart. Keep the lowest points \
             where they are with {}, or the radii with {}";
             Input::Level, Input::Radius.with_value("keep")
-        ]
-    } else {
-        wrong.advice.clone()
+        ],
+        FindingCode::Floats => {
+            let options = phrase![", with ", Input::ConstantContactForce, " and ", Input::HertzSmoothing];
+            phrase![&wrong.advice, Input::ConstantContactForce.either(options, "")]
+        }
+        _ => wrong.advice.clone(),
     };
     let text: Phrase = phrase![
         "the model would be wrong afterwards [{}]: {}. {}";

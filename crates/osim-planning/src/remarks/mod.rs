@@ -6,18 +6,14 @@ mod feet;
 use std::collections::HashMap;
 
 use contact_scaling::{Ratios, SmoothingValues};
-use osim_inspect::{FindingWithRemedy, InspectOptions, check_model};
 use osim_model::feet::{DefaultPose, PairsOfForce};
-use osim_model::messages::{Input, Phrase, Verb, listed, phrase, readable, shortest, three_significant};
+use osim_model::messages::{Input, Phrase, listed, phrase, readable, shortest, three_significant};
 use osim_model::{
-    Class, Fault, FaultKind, Finding, FindingCode, Force, ForceKind, MissingFact, Model, Property,
-    RadiusRule, Selected, SphereId,
+    Class, Fault, FaultKind, Force, ForceKind, MissingFact, Model, Property, RadiusRule, Selected, SphereId,
 };
 use osim_patch::{DanglingReference, ObjectAction, ObjectChange, Plan, RebuiltModel, dangling_references};
+use osim_requests::RequestFault;
 use osim_requests::options::OutputOptions;
-use osim_requests::{ConstantIndentation, Request, RequestFault};
-
-use crate::prepared_change;
 
 pub(crate) use feet::{
     JointPositions, question_about_pad, question_about_scale, remark_on_leaning_planes, remark_on_limbs,
@@ -124,37 +120,6 @@ fn smoothing_sentence(values: &[f64; 3], count: usize) -> Phrase {
     let all: Vec<String> = SMOOTHING_PARAMETERS.into_iter().zip(values).map(one).collect();
     let forces = if count == 1 { "force" } else { "forces" };
     format!("smoothing of {count} {forces}: {}", all.join(", ")).into()
-}
-
-/// Findings of `check` about the smoothing of `model`: the body floats above the floor, or the forces carry it before its spheres touch.
-pub(crate) fn findings_on_smoothing(model: &Model) -> Vec<Finding> {
-    let options = InspectOptions::default();
-    let inspection = options.inspect("", model, None);
-    let changeable = prepared_change::find_other_changeable_values(&options, model, true);
-    let is_of_smoothing = |finding: &FindingWithRemedy| {
-        matches!(finding.code(), FindingCode::Floats | FindingCode::ForceBeforeContact)
-    };
-    let findings = check_model(&options, model, &inspection, &[], changeable).findings.into_iter();
-    findings.filter(is_of_smoothing).map(with_advice).collect()
-}
-
-/// The finding without its place, for a model that is not written yet, and with advice for this call instead of a remedy.
-fn with_advice(found: FindingWithRemedy) -> Finding {
-    let FindingWithRemedy { mut finding, remedy, .. } = found;
-    finding.position = None;
-    finding.message.push(": smooth less with ");
-    finding.message.push(Input::ConstantContactForce.with_placeholder("M2"));
-    let design = remedy.and_then(|remedy| match remedy {
-        Request::Design(design) => design.wanted.constant_indentation.map(ConstantIndentation::get),
-        _ => None,
-    });
-    if let Some(indentation) = design {
-        finding.message.push(", or change the result with ");
-        finding.message.push(
-            Verb::Design.call_with_model().with_value(Input::ConstantIndentation, readable(indentation)),
-        );
-    }
-    finding
 }
 
 /// If the transition velocities of friction differ by less than this (relative), as for masses within 1.8 times, the difference has little

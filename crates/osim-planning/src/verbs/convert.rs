@@ -8,8 +8,8 @@ use osim_requests::{ConvertRequest, Positive, RequestFault};
 
 use crate::prepared_change::PreparedChange;
 use crate::remarks::{
-    findings_on_smoothing, refuse_geometry_output, remark_on_old_document, remarks_on_dropped_pairs,
-    remarks_on_missing_names, remarks_on_smoothing,
+    refuse_geometry_output, remark_on_old_document, remarks_on_dropped_pairs, remarks_on_missing_names,
+    remarks_on_smoothing,
 };
 
 /// The remark that spheres and planes inside forces were moved to the geometry set.
@@ -100,8 +100,6 @@ fn plan_conversion(model: &Model, selection: &Selection, wanted: &Convert) -> Re
     };
     let taken_out = rebuilt.objects.iter().any(|object| !is_force(&object));
     let missing_names = remarks_on_missing_names(&rebuilt);
-    let is_smoothed = changes_class && wanted.to == ForceKind::SmoothSphereHalfSpace;
-    let smoothing_findings = if is_smoothed { findings_on_smoothing(rebuilt.model()) } else { Vec::new() };
     let old_document = remark_on_old_document(&rebuilt);
     let note = kept_note(model, &rebuilt, "convert");
     let mut plan = Plan::from_objects(rebuilt, summary.into()).with_note(note);
@@ -113,7 +111,6 @@ fn plan_conversion(model: &Model, selection: &Selection, wanted: &Convert) -> Re
     if changes_class {
         plan.remarks.extend(remark_on_names_of_old_class(&plan, class));
         plan.remarks.extend(remarks_on_new_class(&plan, wanted));
-        plan.findings.extend(smoothing_findings);
     }
     plan.remarks.extend(dropped_pairs);
     let stays = |path: &String| format!("{path} holds no sphere that moves, and stays as it is").into();

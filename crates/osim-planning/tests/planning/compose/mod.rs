@@ -135,9 +135,7 @@ fn run_command(
             (Ok(then), Ok(now)) => now
                 .difference(then)
                 // What is found in the result as it was in the model is not new.
-                .filter(|code| !is.iter().any(|(found, _)| found.as_str() == **code))
-                // The smoothing that `convert` takes is that of soft contacts, and it says so where they are stiff.
-                .find(|code| !(call["to"] == "smooth" && ["force-before-contact", "floats"].contains(code)))
+                .find(|code| !is.iter().any(|(found, _)| found.as_str() == **code))
                 .map(|code| format!("warned: {code}")),
             _ => None,
         };
