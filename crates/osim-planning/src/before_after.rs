@@ -1,15 +1,14 @@
 //! Inspects and checks a model before and after a planned change: figures, findings and feet, before anything is written.
 
 use osim_inspect::series::ContactBody;
-use osim_inspect::{CheckResult, Figures, InspectOptions, Inspection, ReferenceState, check_model};
-use osim_model::files::{Failure, FileName, InMemory, ModelFiles, OpenModel};
-use osim_model::{Model, Property};
+use osim_inspect::{CheckResult, Figures, InspectOptions, Inspection, ReferenceState};
+use osim_model::Model;
+use osim_model::files::{Failure, ModelFiles, OpenModel};
 use osim_patch::Plan;
 use osim_requests::spell::FrontEnd;
 
-use crate::remedies::{NO_CODES, RemedyTrials};
 use crate::scene::{BodyFall, Scene};
-use crate::{ModelFeet, MotionRemark, MotionResult, PreparedChange, prepared_change};
+use crate::{ModelFeet, MotionRemark, MotionResult, PreparedChange, check_with_remedies};
 
 /// Inspections and checks of a model before and after a planned change, with texts in the words of a front end.
 pub struct BeforeAfter {
@@ -47,10 +46,7 @@ impl BeforeAfter {
         with_feet: bool,
     ) -> Result<Self, Failure> {
         let before = &change.options;
-        // What can be changed in the old model can be changed in the new one, because both have equal elements.
-        let changes = changes_all_numbers(plan, before, opened)
-            || prepared_change::find_changeable_values(before, &opened.model).numbers;
-        let inspected_before = inspected_and_checked(before, opened, changes);
+        let inspected_before = inspected_and_checked(before, opened);
         let after = change.options_after(plan, inspected_before.0.figures.mass_kg);
         let target = change.target_gravity_m_s2;
         let target_gravity_m_s2 =
@@ -79,7 +75,7 @@ impl BeforeAfter {
         states.bodies.extend(drawn_body("before", before, &opened.model, opened));
         if !plan.is_empty() {
             let written = changed().open()?;
-            states.after = Some(inspected_and_checked(&after, &written, changes));
+            states.after = Some(inspected_and_checked(&after, &written));
             states.bodies.extend(drawn_body("after", &after, &written.model, &written));
             let changed =
                 |after: &ModelFeet| states.feet.iter().any(|before| !before.has_same_spheres(after));
@@ -102,31 +98,11 @@ impl BeforeAfter {
     }
 }
 
-/// Inspects and checks a model; `changes` says whether its stiffness and dissipation can be changed.
-fn inspected_and_checked(
-    options: &InspectOptions,
-    opened: &OpenModel,
-    changes: bool,
-) -> (Inspection, CheckResult) {
-    let inspect = |name: &FileName, model: &Model| options.inspect(name.clone(), model, None);
-    let inspection = inspect(opened.name(), &opened.model);
-    let changeable = prepared_change::find_other_changeable_values(options, &opened.model, changes);
-    let check = check_model(options, &opened.model, &inspection, &[], changeable);
-    // These remedies name no other files.
-    let trials =
-        RemedyTrials { options, files: &InMemory::default(), inspect: &inspect, of_reference: &NO_CODES };
-    (inspection, trials.with_tried_remedies(&opened.model, check))
-}
-
-/// Whether `plan` changes stiffness and dissipation of all chosen forces. Then remedies can change them, too, and no trial plan is needed.
-fn changes_all_numbers(plan: &Plan, options: &InspectOptions, opened: &OpenModel) -> bool {
-    let Ok(selected) = options.selection.apply(&opened.model) else { return false };
-    let forces = selected.forces.iter().filter_map(|&id| opened.model.force(id));
-    // A force without parameters counts as one that cannot be changed.
-    let sets: usize = forces.map(|force| force.sets.len().max(1)).sum();
-    [Property::Stiffness, Property::Dissipation]
-        .into_iter()
-        .all(|property| plan.changes.iter().filter(|change| change.property == property).count() >= sets)
+/// Inspects and checks a model, with remedies that name no other files.
+fn inspected_and_checked(options: &InspectOptions, opened: &OpenModel) -> (Inspection, CheckResult) {
+    let inspection = options.inspect(opened.name(), &opened.model, None);
+    let check = check_with_remedies(options, &opened.model, &inspection, &[]);
+    (inspection, check)
 }
 
 /// A model and the plan of its change, for pictures of both states.
@@ -187,6 +163,7 @@ pub(crate) fn drawn_body(
 mod tests {
     use std::path::Path;
 
+    use osim_model::files::InMemory;
     use osim_model::{Fault, FileId};
     use osim_requests::Request;
     use osim_requests::spell::CommandLine;

@@ -259,15 +259,7 @@ pub(crate) fn file_name(path: &Path) -> String {
 
 /// Finds by trial plans what can be changed in a model, so that no remedy proposes a change that would be refused.
 pub fn find_changeable_values(options: &InspectOptions, model: &Model) -> ChangeableValues {
-    find_other_changeable_values(options, model, numbers_may_change(options, model))
-}
-
-/// Like [`find_changeable_values`], for a caller who knows already whether numbers can be changed.
-pub(crate) fn find_other_changeable_values(
-    options: &InspectOptions,
-    model: &Model,
-    numbers: bool,
-) -> ChangeableValues {
+    let numbers = numbers_may_change(options, model);
     ChangeableValues { numbers, radii: !numbers || radii_may_change(options, model) }
 }
 
