@@ -221,8 +221,10 @@ impl Inspector {
         let similarity = self.scaled_with_size(model);
         let density = similarity.as_ref().and_then(rules::find_mass_against_length);
         let forms = similarity.as_ref().and_then(|sizes| self.forms_of_dissipation(model, inspected, sizes));
-        let beside = [compiled.cloned(), mesh, density, forms];
-        let beside: Vec<Finding> = beside.into_iter().flatten().collect();
+        let mut beside: Vec<Finding> = [mesh, density, forms].into_iter().flatten().collect();
+        // Beside the results of steps, which have other names, is no compiled file.
+        let of_steps = beside.clone();
+        beside.extend(compiled.cloned());
         let result = check_with_trials(&self.options, model, inspected, &beside);
         let inspect = |name: &FileName, model: &Model| {
             let mut inspection = self.options.inspect(name.clone(), model, None);
@@ -234,7 +236,7 @@ impl Inspector {
             _ => &NO_CODES,
         };
         let (options, inspect) = (&self.options, &inspect);
-        let mut result = RemedyTrials { options, files, inspect, of_reference, beside: &beside }
+        let mut result = RemedyTrials { options, files, inspect, of_reference, beside: &of_steps }
             .with_tried_remedies(model, result);
         result.similarity = similarity;
         if let Some(motion) = &self.motion {
