@@ -270,6 +270,17 @@ fn a_model_after_follow_bodies_is_recognised() {
 }
 
 #[test]
+fn spheres_that_followed_are_not_moved_by_a_radius_that_changes_later() {
+    let dir = generic_and_scaled("smooth");
+    dir.run(&format!("{CALL_OF_TRANSFER} -o done.osim")).succeeded();
+    for call in ["done.osim --target-mass 60 -o later.osim", "set done.osim radius=x1.1 -o later.osim"] {
+        dir.run(&format!("{call} --force")).succeeded().wrote(&["later.osim"]);
+        let out = dir.run("check later.osim --from generic.osim --format json").out();
+        assert!(!out.contains("spheres-misplaced") && !out.contains("spheres-left-behind"), "{out}");
+    }
+}
+
+#[test]
 fn where_radii_by_mass_and_by_bones_part_a_remark_says_what_each_keeps() {
     // The bones are x (1.02 · 0.9 · 0.95)^(1/3) = x0.955. 75 kg are x (75/62)^(1/3) = x1.07; 1.1 times the bones are 71.97 kg.
     let dir = generic_and_scaled("smooth");

@@ -86,7 +86,7 @@ pub struct PlacedSphere {
     /// The right place of the sphere: its place in the unscaled model times the factors of its body; the bottom of a round sphere, whose
     /// radius follows the mass (the body, if a mass is not known), stays on the scaled sole.
     pub belongs_m: [f64; 3],
-    /// Whether the sphere is at its right place, or its bottom is on the scaled sole.
+    /// Whether the sphere is at its right place, or its centre or its bottom is where the scaling takes it.
     pub follows: bool,
     /// Whether place and radius are equal to those in the unscaled model.
     untouched: bool,
@@ -234,7 +234,14 @@ fn placed_spheres(
     let placed = compared.into_iter().map(|(sphere, now, old, of_body)| {
         let scaled_m = now.rotation.scaled_in_frame(of_body, old.location_m);
         let here_m = now.location_m;
-        let expected_m = [scaled_m, centre_on_sole(now, old, (of_body, now.radius_m), up)];
+        // As the proposed transfer writes it.
+        let by_body = || RadiusAxis::default().radius_ratio(of_body);
+        let new_radius_m = old.radius_m * radius_ratio.unwrap_or_else(by_body);
+        let is_round = sphere.round_radius_m().is_ok();
+        let belongs_m =
+            if is_round { centre_on_sole(now, old, (of_body, new_radius_m), up) } else { scaled_m };
+        // A radius that changes later leaves the place as it is.
+        let expected_m = [scaled_m, belongs_m, centre_on_sole(now, old, (of_body, now.radius_m), up)];
         let is_at = |place_m: [f64; 3], tolerance_m| {
             here_m.iter().zip(place_m).all(|(a, b)| (a - b).abs() <= tolerance_m)
         };
@@ -243,12 +250,6 @@ fn placed_spheres(
         // A place with all its digits is no other place rounded.
         let of_place_m = if is_at(old.location_m, SAME_PLACE_M) { SAME_PLACE_M } else { rounding_m };
         let tolerance_m = of_factors_m.max(of_place_m);
-        // As the proposed transfer writes it.
-        let by_body = || RadiusAxis::default().radius_ratio(of_body);
-        let new_radius_m = old.radius_m * radius_ratio.unwrap_or_else(by_body);
-        let is_round = sphere.round_radius_m().is_ok();
-        let belongs_m =
-            if is_round { centre_on_sole(now, old, (of_body, new_radius_m), up) } else { scaled_m };
         PlacedSphere {
             name: sphere.name.clone(),
             path: sphere.path.clone(),
