@@ -31,8 +31,7 @@ fn rescale_asks_about_a_radius_in_another_unit() {
 #[test]
 fn a_stiffness_like_a_factor_or_in_mpa_causes_a_question() {
     let dir = TestDir::with_human();
-    let question =
-        "a stiffness would be 2 N/m2, and is 1000000 now: write x2 to multiply it, or 2000000 if it is in MPa";
+    let question = "a stiffness would be 2 N/m2, and is 1000000 now: write x2 to multiply it, or 2000000 if it is in MPa";
     for call in ["set human.osim stiffness=2", "sweep human.osim --grid stiffness=2,3e6 -d out"] {
         dir.run(call).failed().wrote_nothing().says(&[question, "--yes wrong-afterwards"]);
     }

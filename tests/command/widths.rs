@@ -110,9 +110,10 @@ fn fix_does_what_check_prints_and_ends_with_the_status_of_the_result() {
 fn fix_without_a_command_or_with_a_wrong_call_writes_nothing() {
     let dir = folder_of_models();
     dir.run("check good.osim --fix -o new.osim").succeeded().wrote_nothing().says(&["nothing to correct"]);
-    dir.run_with_stdin("check - --fix -o new.osim", &dir.read("broken.osim")).failed().wrote_nothing().says(&[
-        "nothing written: a model on standard input is read only once",
-    ]);
+    dir.run_with_stdin("check - --fix -o new.osim", &dir.read("broken.osim"))
+        .failed()
+        .wrote_nothing()
+        .says(&["nothing written: a model on standard input is read only once"]);
     dir.run("check good.osim -o new.osim").usage_error().says(&["-o needs --fix"]);
     let several = dir.run("check good.osim broken.osim --fix -o new.osim").usage_error().wrote_nothing();
     several.says(&["-o names one file", "name a folder with -d DIR"]);
