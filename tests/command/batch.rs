@@ -120,6 +120,7 @@ fn a_table_that_is_not_a_manifest_is_refused_with_a_correction() {
         ("model,model\nhuman.osim,5\n", "appears twice"),
         ("model,target-mass,dry-run\nhuman.osim,5,yes\n", "after the table's name"),
         ("model,target-mass\nhuman.osim\n", "line 2: 1 cell, expected 2"),
+        ("Study 3\nmodel,target-mass\nhuman.osim,5\n", "has to name the columns: remove the lines above it"),
         ("model,target-mass\n", "no rows"),
         ("m\0o\0", "UTF-16"),
     ] {

@@ -73,6 +73,7 @@ fn files_that_are_not_models_are_named_by_what_they_are() {
     dir.run("check subjects.csv").failed().says(&["this is a table", "tables of models go with batch"]);
     // The shells of Windows hand them over as they are.
     dir.run("check *.osim").failed().says(&["names with * are not searched for: name the folder"]);
+    dir.run("check https://example.org/m.osim").failed().says(&["but an address: download it first"]);
     for name in ["walk.mot", "plates.sto"] {
         dir.run(&format!("check {name}"))
             .failed()
@@ -98,7 +99,8 @@ fn presets_are_all_listed() {
     }
     let run = dir.run("presets nobody2022").usage_error();
     run.says(&["osim-rl, dhondt2024, moco-2d-gait"]).says_not(&["did you mean"]);
-    for call in ["check human", "inspect humn.osim", "check human.osim --from human"] {
+    let missing = ["check human.osim --from human", "check human.osim --from “human.osim”"];
+    for call in ["check human", "inspect humn.osim"].into_iter().chain(missing) {
         dir.run(call).failed().says(&["there is no such file: did you mean human.osim?"]);
     }
     // The name of another subject is not near, nor one that has little more in common than the ending.

@@ -138,6 +138,8 @@ fn a_verb_after_its_model_and_an_option_of_another_verb_get_a_suggestion() {
         ("/?", "the help is printed by 'help'"),
         ("osim-contact-scale check human.osim", "the name of the program is typed once"),
         ("help check transfer", "unexpected argument 'transfer' found"),
+        ("$ osim-contact-scale check human.osim", "leave out the sign of the terminal"),
+        ("osim-contact-scale check human.osim --from x", "the name of the program is typed once"),
         ("plot human.osim -o f.svg", "name one before the model, as in 'plot force human.osim'"),
         ("motion human.osim walk.mot plates.sto", "did you mean --plates plates.sto?"),
         ("human.osim --target-mass 80 --overwrite", "did you mean --force?"),
@@ -151,6 +153,8 @@ fn a_verb_after_its_model_and_an_option_of_another_verb_get_a_suggestion() {
         dir.run(call).usage_error().wrote_nothing().says(&[message]);
     }
     dir.run("completions tcsh").usage_error().says_not(&["did you mean", "similar"]);
+    let run = dir.run("transfer human.osim --to human.osim").usage_error();
+    run.says(&["it is an option of convert"]).says_not(&["a verb is the first word"]);
     let blank = dir.run_words(&["my model.osim", "check"]);
     assert!(String::from_utf8(blank.stderr).unwrap().contains("'check \"my model.osim\"'"));
 }

@@ -219,6 +219,8 @@ fn wrong_recordings_are_refused_with_a_reason() {
     assert_refused(&dir, loads, "plates.sto: it is not XML, expected an ExternalLoads file");
     assert_refused(&dir, "motion walker.osim walk.mot --low-pass 60", "below half of that, 50 Hz");
     assert_refused(&dir, "motion walker.osim nothing.mot", "there is no such file");
+    assert_refused(&dir, "motion walker.osim wlk.mot", "did you mean walk.mot?");
+    assert_refused(&dir, "motion walker.osim plates.sto", "the motion of this model, not the plates?");
 }
 
 /// Plates without pressure points and sides belong to no foot, so the program compares no foot.

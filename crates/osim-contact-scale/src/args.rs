@@ -246,8 +246,8 @@ const OPTIONS_OF_OTHER_PROGRAMS: [(&[&str], &str); 3] = [
     (&["--generic", "--reference", "--preset"], "--from"),
 ];
 
-/// A usage error in one line: what is wrong and what was expected.
-pub(crate) fn usage_line(error: &clap::Error) -> String {
+/// A usage error in one line: what is wrong and what was expected. `words` are all arguments of the call.
+pub(crate) fn usage_line(error: &clap::Error, words: &[String]) -> String {
     let context = |kind| match error.get(kind) {
         Some(ContextValue::String(text)) => Some(text.clone()),
         _ => None,
@@ -290,7 +290,9 @@ pub(crate) fn usage_line(error: &clap::Error) -> String {
         .filter(|line| !line.contains("as a value, use '--") && !line.starts_with("a similar value exists"))
         .collect();
     if let Some(verbs) = verbs.filter(|verbs| !verbs.is_empty()) {
-        return format!("{first}: it is an option of {verbs} (a verb is the first word)");
+        let has_verb = words.first().is_some_and(|first| verb_names().any(|name| name == first));
+        let note = if has_verb { "" } else { " (a verb is the first word)" };
+        return format!("{first}: it is an option of {verbs}{note}");
     }
     let joint = if first.ends_with(':') { " " } else { "; " };
     let line = if rest.is_empty() { first } else { format!("{first}{joint}{}", rest.join(", ")) };

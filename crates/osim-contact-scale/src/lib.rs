@@ -126,7 +126,7 @@ fn print_clap_error(error: &clap::Error, terminal: &mut Terminal) -> Exit {
             let of_words = || (kind == ErrorKind::UnknownArgument).then(suggestion_for_call).flatten();
             let of_verb = [suggested_axis, suggested_figure, suggested_plates];
             let meant = of_verb.iter().find_map(|suggested| suggested(&words, COMMAND_LINE_WORDS));
-            let text = meant.or_else(of_words).unwrap_or_else(|| usage_line(error));
+            let text = meant.or_else(of_words).unwrap_or_else(|| usage_line(error, &words));
             terminal.error_line(&format!("{text} (see --help)"));
             Exit::Usage
         }

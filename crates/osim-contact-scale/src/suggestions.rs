@@ -12,8 +12,9 @@ use osim_requests::{AxisName, Kilograms, PlotKind, no_fig1};
 
 use crate::args::{PROGRAM_NAME, begins_alike, verb_names};
 
-/// Verbs of other programs, with what to say instead of `did you mean`.
-const VERBS_OF_OTHER_PROGRAMS: [(&[&str], &str); 6] = [
+/// Verbs of other programs, and what is copied along with a command, with what to say instead of `did you mean`.
+const VERBS_OF_OTHER_PROGRAMS: [(&[&str], &str); 7] = [
+    (&["$", ">", "%"], "leave out the sign of the terminal"),
     (&[PROGRAM_NAME], "the name of the program is typed once"),
     (&["info", "show", "view"], "the contacts of a model are shown by 'inspect'"),
     (&["lint", "validate", "verify"], "a model is checked by 'check'"),

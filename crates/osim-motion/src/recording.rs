@@ -347,7 +347,8 @@ fn no_column_fits(coordinates: &[ModelCoordinate], table: &Table) -> MotionFault
         listed(coordinates.iter().map(|coordinate| coordinate.name.as_str()).collect()),
     );
     MotionFault::new(format!(
-        "none of its columns ({columns}) is a coordinate of the model ({names}): is it a motion of this model?"
+        "none of its columns ({columns}) is a coordinate of the model ({names}): is it the motion of this model, \
+         not the plates?"
     ))
 }
 

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use contact_scaling::{Contact, ContactValues, DomainError, Preset, Scale, ScaleValues, SmoothingValues};
 use osim_model::compare::{ScaleFile, refuse_without_moco_phase};
-use osim_model::files::{CompanionPaths, Failure, FileError, Files, InMemory, ModelFiles, OpenModel};
+use osim_model::files::{CompanionPaths, Failure, Files, InMemory, ModelFiles, OpenModel};
 use osim_model::messages::{Input, phrase};
 use osim_model::{Document, FileId, LineIndex, nearest_names};
 use osim_patch::{preset_model, presets_with_places};
@@ -26,12 +26,7 @@ pub fn open_with(path: &Path, beside: CompanionPaths<'_>, files: &dyn Files) -> 
 
 /// Reads a file that the request names.
 pub(crate) fn read(path: &Path, files: &dyn Files) -> Result<Vec<u8>, Failure> {
-    files.read(path).map_err(|error| {
-        let model = path.with_extension("osim");
-        let is_meant = error == FileError::not_found() && path.extension().is_none() && files.exists(&model);
-        let hint = is_meant.then(|| format!("there is no such file: did you mean {}?", model.display()));
-        Failure::outside(path, "unreadable", hint.unwrap_or_else(|| error.to_string()))
-    })
+    files.read(path).map_err(|error| Failure::outside(path, "unreadable", error.to_string()))
 }
 
 /// Reads the Scale Tool's applied factors.

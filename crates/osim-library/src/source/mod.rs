@@ -30,7 +30,7 @@ pub struct Disk;
 
 impl Files for Disk {
     fn read(&self, path: &Path) -> Result<Vec<u8>, FileError> {
-        read(path, FileKinds::Streams).map(|(bytes, _)| bytes)
+        read(path, FileKinds::Streams).map(|(bytes, _)| bytes).map_err(|error| with_advice(path, error))
     }
 
     fn read_included(&self, path: &Path) -> Result<Vec<u8>, FileError> {
@@ -44,6 +44,19 @@ impl Files for Disk {
     fn today(&self) -> Option<String> {
         date_of(std::env::var("SOURCE_DATE_EPOCH").ok().as_deref(), SystemTime::now())
     }
+}
+
+/// The `error` of a file that the user named, with what may be meant instead.
+fn with_advice(path: &Path, error: FileError) -> FileError {
+    let typed = path.to_string_lossy();
+    FileError::new(match similar_file(path) {
+        _ if path.exists() => return error,
+        _ if typed.contains("://") => "there is no such file, but an address: download it first".to_owned(),
+        // The shells of Windows leave it to the program.
+        _ if typed.contains('*') => "names with * are not searched for: name the folder instead".to_owned(),
+        Some(near) => format!("there is no such file: did you mean {}?", near.display()),
+        None => return error,
+    })
 }
 
 /// The date in UTC: of `epoch` (seconds since 1970), which repeatable builds set, or else of `now`.
@@ -113,16 +126,8 @@ impl LoadedModel {
     ) -> Result<Self, Failure> {
         let kinds = if source.named { FileKinds::Streams } else { FileKinds::Ordinary };
         let disk = MemoryFirst { memory, kinds, stamps: RefCell::default() };
-        let unreadable = |error: FileError| {
-            let near = if error == FileError::not_found() { similar_file(&source.path) } else { None };
-            let message = match near {
-                // The shells of Windows leave it to the program.
-                _ if !source.path.exists() && source.path.to_string_lossy().contains('*') => {
-                    "names with * are not searched for: name the folder, for all models in it".to_owned()
-                }
-                Some(near) => format!("there is no such file: did you mean {}?", near.display()),
-                None => error.to_string(),
-            };
+        let unreadable = |error| {
+            let message = with_advice(&source.path, error).to_string();
             Failure::outside(source.path.as_path(), "unreadable", message)
         };
         let bytes = disk.read(&source.path).map_err(unreadable)?;
