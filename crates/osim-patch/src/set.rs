@@ -156,7 +156,7 @@ pub fn set(model: &Model, selected: &Selected, wanted: &Set) -> Result<Plan> {
         taken.push(&mass.contacts_made_for());
         taken.push("; ");
     }
-    taken.push(format!("{operation}; nothing else follows"));
+    taken.push(format!("{operation}; no other property changes"));
     let remarks = if is_level { vec![REMARK_LEVEL_FEET.into()] } else { vec![] };
     let mut masses = wanted.contacts_mass.clone().map(Masses::unchanged);
     if let Some((masses, kg)) = masses.as_mut().zip(wanted.made_for_kg) {

@@ -351,7 +351,7 @@ fn find_refused_name(model: &Model, id: ComponentId, object: &Component) -> Opti
 
 rule! { pub(super) LOOP_OF_JOINTS: LoopOfJoints, Warning;
     what: "A body has more than one joint: joints form a loop, or OpenSim ignores some.",
-    why: "Of joints inside a body, as documents up to version 3 have them, OpenSim takes the first and ignores the others. Elsewhere it cuts a loop of joints: it divides a body into equal parts that a constraint holds together, and their masses still make the body's. Where a WeldJoint or a FreeJoint between two bodies is in the loop it divides nothing, and counts the mass of a body twice. Left, right and limbs follow the first joint of each body.",
+    why: "In documents up to version 3 joints are written inside bodies: OpenSim takes the first joint of a body and ignores the others. In later documents it cuts a loop of joints: it divides a body into equal parts that a constraint holds together, and the parts together have the mass of the body. If a WeldJoint or a FreeJoint between two bodies is in the loop, OpenSim divides nothing, and counts the mass of a body twice. Left, right and limbs follow the first joint of each body.",
     advice: "Give the mass of the model with `mass=KG` where the program asks for it; in OpenSim, close a loop with a constraint instead of a joint",
     repair: Repair::NotPossible("only numbers of contacts are changed"),
     example: Example::Models { good: "format/v40000.osim", bad: "format/loop_of_joints.osim" },

@@ -179,7 +179,7 @@ pub(crate) fn find_no_gravity(
 
 rule! { pub(crate) GRAVITY_TOO_LARGE: GravityTooLarge, Error, Floor;
     what: "Gravity is more than 100 m/s2: it is probably in mm/s2 or cm/s2.",
-    why: "Under a thousand times its weight every sphere sinks in beyond its centre, and a simulation fails. 100 m/s² are ten times the Earth's gravity, and four times that of Jupiter, the most of all planets; 981 and 9810 are the Earth's in cm/s² and mm/s². Values under that weight are not judged.",
+    why: "If gravity is a thousand times too large, every sphere sinks in beyond its centre, and a simulation fails. 100 m/s² is ten times the Earth's gravity and four times that of Jupiter, the largest of the planets; 981 and 9810 are the Earth's gravity in cm/s² and mm/s². Other findings that depend on the weight are left out.",
     advice: "Write gravity in m/s²",
     repair: Repair::NotPossible("gravity has to be corrected in the file; the finding names the line and what to write"),
     example: Example::ElementText { tag: "gravity", good: "0 -9.81 0", bad: "0 -9810 0" },

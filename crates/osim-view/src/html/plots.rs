@@ -148,7 +148,7 @@ fn feet_table(result: &MotionResult) -> Markup {
         }
     };
     let caption = "Forces along the normal of the floor, in body weights (BW): the largest of the model and of the plates, and the root mean \
-                   square of the difference; of the distance between the centres of pressure (COP).";
+                   square of their difference. COP: the root mean square distance between the centres of pressure.";
     table("Feet along the recording", caption, &columns, &rows)
 }
 

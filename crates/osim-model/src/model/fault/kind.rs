@@ -184,7 +184,7 @@ impl FaultKind {
             Self::UnknownReferenceSphere { sphere, reference, known } => phrase![
                 Input::ReferenceSphere.with_value(sphere),
                 match known.as_slice() {
-                    [] => format!(" is not in {reference}, whose contact belongs to no named sphere"),
+                    [] => format!(" is not in {reference}, whose contact names no sphere"),
                     known => format!(" is not in {reference}, which has {}", known.join(", ")),
                 },
             ],

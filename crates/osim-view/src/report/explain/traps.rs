@@ -81,7 +81,7 @@ pub(super) const ALL: &[Trap] = traps! {
     "constant_indentation" ["x_c"]
         "it is what makes constant_contact_force comparable between spheres. A sphere that does not touch carries force too, and more of it with a larger value";
     "transition_width" ["dx_hat"]
-        "it is in radii, and half of it lies above the ground: there the sphere carries force already";
+        "it is in radii, and half of it lies above the ground: the sphere carries force before it touches";
     "force_just_touching_n" [] "it is not 0 for a smoothed force: smoothing always gives some force before contact";
     "touching_share" [] "a share of a tenth is what the paper starts from; large shares let spheres float";
     "load_per_sphere_n" ["F/n"] "the load is that on all spheres together, and n counts those that share it";
@@ -106,7 +106,7 @@ pub(super) const ALL: &[Trap] = traps! {
     "gravity_m_s2" ["g", "gravity"]
         "it is the size of the model's gravity; the paper's table is for 9.81, OpenSim's default is 9.80665";
     "height_m" ["h"] "it is the height of the spheres' lowest points above the ground, not that of the body";
-    "duration_s" [] "a large body needs longer to come to rest: compare times over sqrt(R/g)";
+    "duration_s" [] "a large body needs longer to come to rest: divide times by sqrt(R/g) to compare them";
     "reference_radius_m" []
         "with spheres of several radii it is sqrt(mean of R²), which none of them need have";
     "reference_time_s" [] "divide times by it before animals of different size are compared";
@@ -121,12 +121,12 @@ pub(super) const ALL: &[Trap] = traps! {
         "it is the k of the paper's table, by the Hertz law even where the file's law is smoothed";
     "contact_time_s" [] "it is absent where the body does not leave the ground again, which is not 0";
     "rebound_speed_m_s" []
-        "over the impact speed it is less than the restitution, because gravity acts during the contact";
+        "divided by the impact speed it is less than the restitution, because gravity acts during the contact";
     "time_s" ["t"] "samples are equally far apart, the steps of the integrator are not";
     "speed_m_s" [] "upwards is positive: an impact begins with a negative one";
     "force_n" ["F"]
         "it is the force of all spheres together, and above 0 before the ground is reached where it is smoothed";
-    "force_bw" [] "it is over the body weight of the falling body, not of what its contacts are made for";
+    "force_bw" [] "the body weight is that of the falling body, not of the body that its contacts are made for";
     "dimensionless_time" []
         "it is over sqrt(R/g), so curves of similar contacts coincide in it and not in seconds";
 };

@@ -57,7 +57,7 @@ pub(super) fn doubt_in_words(doubt: &Doubt) -> String {
             100.0 * r_squared
         ),
         Doubt::Undetermined { parameter } => format!(
-            "the 95 % interval of the {parameter} holds 0, so these data do not determine it: measure more, or other, \
+            "the 95 % interval of the {parameter} contains 0, so these data do not determine it: measure more, or other, \
              indentations and speeds",
             parameter = parameter.in_words()
         ),
