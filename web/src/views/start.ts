@@ -67,7 +67,7 @@ function fallsPicture(falls: readonly AnimalFall[]): Picture {
 function describeFall({ name, left_behind: left, scaled }: AnimalFall): string {
   const end = (heights: readonly number[]) => {
     const height = heights[heights.length - 1] ?? 0;
-    return height > 0 ? `it floats ${height.toFixed(1)} radii over the ground` : `it is ${(-height).toFixed(2)} radii deep in the end`;
+    return height > 0 ? `it floats ${height.toFixed(1)} radii above the ground` : `it is ${(-height).toFixed(2)} radii deep at the end`;
   };
   return `a ${name}: on contacts of a human ${end(left)}, on its own ${end(scaled)}`;
 }
