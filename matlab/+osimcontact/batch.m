@@ -2,8 +2,8 @@ function results = batch(varargin)
 %BATCH One row per model; columns are named like the long options of rescale, transfer, design and set.
 %   RESULTS = osimcontact.batch(MANIFEST, NAME, VALUE, ...)
 %
-%   MANIFEST: A table (CSV): a column 'model', and one for each option that rows need. Takes the name of
-%       a file, or a table, a struct array or a cell array.
+%   MANIFEST: A table (.csv, .xlsx): a column 'model', and one for each option that rows need. Takes the
+%       name of a file, or a table, a struct array or a cell array.
 %
 %   Options, each a NAME and a VALUE (target_mass and TargetMass are the same):
 %     output: Write to this file [default: NAME.scaled.osim beside it]. Takes a text.

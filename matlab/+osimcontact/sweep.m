@@ -8,8 +8,8 @@ function results = sweep(varargin)
 %     grid: Values of a property (stiffness=1e5,1e6), factors (stiffness=x0.1,x1,x10), a logarithmic
 %         range (stiffness=x0.1..x10/9), or values of indentation, restitution or target_mass. Takes a
 %         struct or containers.Map, a text or a cell array of these.
-%     ladder: N steps from a soft contact to indentation and restitution, to search for a gait in turn.
-%         Takes a whole number.
+%     ladder: N steps from a soft contact to indentation and restitution, to search for a gait step by
+%         step. Takes a whole number.
 %     soft: With ladder: dimensionless stiffness of the first step [default: 1.2]. Takes a number.
 %     point: Only point N of the grid, or step N of the ladder, counted from 1, for job arrays. Takes a
 %         whole number.

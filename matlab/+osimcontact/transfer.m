@@ -44,7 +44,7 @@ function results = transfer(varargin)
 %         factors of bodies, by radius_axis), a radius in metres, or a factor like x1.5 [default: keep;
 %         isometric with follow_bodies]. Takes a number or a text.
 %     level: Keep the soles: where a radius changes, move the centre so that the lowest point of the
-%         sphere stays, as isometric radii do with follow_bodies without it. Takes true or false.
+%         sphere stays (with follow_bodies: on the scaled sole). Takes true or false.
 %     level_axis: The axis of the spheres' frames that points up with the foot flat [default: nearest to
 %         -gravity]. Takes 'x' or 'y' or 'z' or '-x' or '-y' or '-z'.
 %     only: Only these properties, separated by commas (OpenSim's names, and radius). Takes a text or a

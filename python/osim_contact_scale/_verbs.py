@@ -1620,7 +1620,7 @@ def sweep(
         Values of a property (stiffness=1e5,1e6), factors (stiffness=x0.1,x1,x10), a logarithmic range
         (stiffness=x0.1..x10/9), or values of indentation, restitution or target_mass; one or several in a list.
     ladder : int, optional
-        N steps from a soft contact to `indentation` and `restitution`, to search for a gait in turn.
+        N steps from a soft contact to `indentation` and `restitution`, to search for a gait step by step.
     soft : float, optional
         With `ladder`: dimensionless stiffness of the first step.
     point : int, optional
@@ -1804,8 +1804,8 @@ def transfer(
         by `radius_axis`), a radius in metres, or a factor like x1.5 [default: keep; isometric with
         `follow_bodies`]
     level : bool, optional
-        Keep the soles: where a radius changes, move the centre so that the lowest point of the sphere stays, as
-        isometric radii do with `follow_bodies` without it.
+        Keep the soles: where a radius changes, move the centre so that the lowest point of the sphere stays (with
+        `follow_bodies`: on the scaled sole).
     level_axis : {"x", "y", "z", "-x", "-y", "-z"}, optional
         The axis of the spheres' frames that points up with the foot flat [default: nearest to -gravity]
     only : str or list of str, optional

@@ -214,7 +214,7 @@ fn exit_statuses() -> String {
 pub(crate) fn typed_call(matches: &ArgMatches) -> Result<Result<Call, RequestFault>, clap::Error> {
     let is_file = Path::exists;
     Ok(match matches.subcommand() {
-        None => read(Verb::Rescale, matches, is_file).map(Call::WithoutVerb),
+        None => read(Verb::Rescale, matches, is_file).and_then(with_models).map(Call::WithoutVerb),
         Some((name, typed)) => match Verb::find(name) {
             Some(verb) => read(verb, typed, is_file).and_then(with_models).map(Call::Request),
             None => Ok(Call::Own(OwnVerb::from_arg_matches(matches)?)),
@@ -222,9 +222,11 @@ pub(crate) fn typed_call(matches: &ArgMatches) -> Result<Result<Call, RequestFau
     })
 }
 
-/// Refuses a `set` or `note` without models. On the command line, models and values to set share one list of arguments.
+/// Refuses a change without models where the parser does not: models and values to set share one list of arguments, and a call without a
+/// verb may have none.
 fn with_models(request: Request) -> Result<Request, RequestFault> {
     let models = match &request {
+        Request::Rescale(rescale) => Some(&rescale.models),
         Request::Set(set) => Some(&set.models),
         Request::Note(note) => Some(&note.models),
         _ => None,

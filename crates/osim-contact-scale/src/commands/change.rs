@@ -59,9 +59,6 @@ pub(crate) fn change_models(request: Request, session: &mut Session) -> Result<E
 /// # Errors
 /// Wrong usage.
 pub(crate) fn rescale(request: RescaleRequest, may_inspect: bool, session: &mut Session) -> Result<Exit> {
-    if request.models.is_empty() {
-        bail!("no model given, expected one or more .osim files or folders (see --help)");
-    }
     // If there is a file of that name, it is a model; a name that was split at its blanks is another failure.
     let is_odd = request.models.iter().any(|path| !Disk.exists(path) && path.as_os_str() != "-");
     if is_odd && let Some(text) = suggest(&request.models, request.target_mass.is_none(), session.words) {
@@ -416,7 +413,7 @@ const MOST_REPORTED_ROWS: usize = 20;
 /// # Errors
 /// The file cannot be read, or is not a table with a column `model`.
 pub(crate) fn run_batch(request: &BatchRequest, session: &mut Session) -> Result<Exit> {
-    let Some(manifest) = &request.manifest else { bail!("no manifest given") };
+    let Some(manifest) = &request.manifest else { bail!("no table given") };
     let shown = manifest.display().to_string();
     if manifest.is_dir() {
         let call = Verb::Rescale.call_with_model().with_placeholder(Input::TargetMass, "KG");

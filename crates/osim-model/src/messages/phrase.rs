@@ -150,7 +150,8 @@ fn choose_texts(parts: Vec<PhrasePart>, takes: &dyn Fn(Input) -> bool, kept: &mu
 fn template_part(text: &str) -> Option<PhrasePart> {
     let mut words = text.split(' ');
     let first = words.next()?;
-    let Some(verb) = Verb::find(first) else {
+    // The verb `motion` is always written with its model; alone the word is the option.
+    let Some(verb) = Verb::find(first).filter(|_| text != Verb::Motion.name()) else {
         let (input, example) = template_input(first)?;
         return words.next().is_none().then_some(PhrasePart::Input(input, example));
     };

@@ -84,7 +84,7 @@ pub(super) fn entry_of(field: Field<'_>, verb: Verb) -> Option<Entry> {
         "subject" = read(if is(&[Motion]) { "MODEL" } else { "MODEL|PRESET" }),
             "The model to drop (.osim), or a preset; without one, give the numbers",
             Motion => "The model (.osim), or a ForceSet (.xml) with `geometry` and `model`";
-        "manifest" = read("MANIFEST"), "A table (CSV): a column 'model', and one for each option that rows need; - is standard input";
+        "manifest" = read("TABLE"), "A table (.csv, .xlsx): a column 'model', and one for each option that rows need; - is standard input";
         "file" = read("FILE|MODEL"), "Measured indentation and force (.csv; - is standard input); with `motion`, the model (.osim)";
         "name" = value("NAME"), "One preset (without it: list them all)";
         "set" = assignments(), "Properties by OpenSim's names, each with its value, or with a factor such as \"x2\"";
@@ -132,7 +132,7 @@ pub(super) fn entry_of(field: Field<'_>, verb: Verb) -> Option<Entry> {
         Grid = values("NAME=V,V,..."),
             "Values of a property (stiffness=1e5,1e6), factors (stiffness=x0.1,x1,x10), a logarithmic range (stiffness=x0.1..x10/9), or \
              values of indentation, restitution or target_mass; may be repeated";
-        Ladder = value("N"), "N steps from a soft contact to `indentation` and `restitution`, to search for a gait in turn";
+        Ladder = value("N"), "N steps from a soft contact to `indentation` and `restitution`, to search for a gait step by step";
         Soft = value("K").rare(), "With `ladder`: dimensionless stiffness of the first step";
         Point = value("N").rare(), "Only point N of the grid, or step N of the ladder, counted from 1, for job arrays";
         Full = flag().about(FieldGroup::Shown), "Show everything: each model, all rows, all explanations, all digits";
@@ -220,8 +220,8 @@ pub(super) fn entry_of(field: Field<'_>, verb: Verb) -> Option<Entry> {
             Add => "Radii: isometric (R ~ M^1/3), follow (with the factors of the bodies), or a radius in metres";
         Level = flag().under_if(is(&[Add]), GROUP_OF_ONE_VERB),
             "Keep the soles: where a radius changes, move the centre so that the lowest point of the sphere stays",
-            Transfer => "Keep the soles: where a radius changes, move the centre so that the lowest point of the sphere stays, as isometric \
-                         radii do with `follow_bodies` without it",
+            Transfer => "Keep the soles: where a radius changes, move the centre so that the lowest point of the sphere stays (with \
+                         `follow_bodies`: on the scaled sole)",
             Add | Set => "Move spheres down until all spheres of a foot are as low as its lowest one, at the default pose";
         LevelAxis = choice(AxisChoice::WORDS).signed().rare(),
             "The axis of the spheres' frames that points up with the foot flat [default: nearest to -gravity]";
