@@ -3054,7 +3054,7 @@ def transition_velocity(*, radius_ratio: Number, gravity_ratio: Number = 1.0, na
 
     References
     ----------
-    friction: beyond the paper: speeds grow as √(g R). The friction coefficients have no size and stay. The friction of SmoothSphereHalfSpaceForce is similar only in part.
+    friction: beyond the paper: speeds grow as √(g R). Friction coefficients do not depend on size, and stay. The friction of SmoothSphereHalfSpaceForce is similar only in part.
 
     Examples
     --------
@@ -3104,7 +3104,7 @@ def viscous_friction(*, radius_ratio: Number, gravity_ratio: Number = 1.0, nan: 
 
     References
     ----------
-    friction: beyond the paper: speeds grow as √(g R). The friction coefficients have no size and stay. The friction of SmoothSphereHalfSpaceForce is similar only in part.
+    friction: beyond the paper: speeds grow as √(g R). Friction coefficients do not depend on size, and stay. The friction of SmoothSphereHalfSpaceForce is similar only in part.
 
     Examples
     --------

@@ -111,7 +111,7 @@ const EQUATIONS_BEYOND_PAPER: &[Equation] = equations! {
         form("", "transition_velocity ∝ √(g R)", "Ratios::transition_velocity", "1"),
         form("", "viscous_friction ∝ 1/√(g R)", "Ratios::viscous_friction", "1");
         [V_T, U_V, G, R]
-        "beyond the paper: speeds grow as √(g R). The friction coefficients have no size and stay. The friction of SmoothSphereHalfSpaceForce is similar only in part";
+        "beyond the paper: speeds grow as √(g R). Friction coefficients do not depend on size, and stay. The friction of SmoothSphereHalfSpaceForce is similar only in part";
 };
 
 #[cfg(test)]

@@ -240,7 +240,7 @@ impl<'m> LimbsFromFeet<'m> {
 }
 
 rule! { pub(super) FOOT_SPHERE_ON_GROUND: FootSphereOnGround, Warning, Sides;
-    what: "A sphere is on ground or welded to it, and seems to be of a foot: its name says so, spheres named like it are on moving bodies, or no other sphere moves.",
+    what: "A sphere is on ground or welded to it, and seems to be of a foot: its name says so, spheres named like it are on moving bodies, or no other moves.",
     why: "OpenSim takes ground if the frame of a sphere says so. The sphere then stays in place while the foot walks away, and the foot falls through the floor. Only scenery, such as a stone, belongs on ground.",
     advice: "Write the body of the foot as the frame of the sphere",
     repair: Repair::NotPossible("only numbers are changed, and the sphere needs another frame"),

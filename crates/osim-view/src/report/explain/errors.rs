@@ -74,7 +74,7 @@ const FILE_ERRORS: &[ErrorCode] = codes! {
     "unreadable": "the file, or one that belongs to it, is not there or cannot be read; a link leads nowhere or back; another program is writing it; a pipe, a device or a folder is in the place of a file; it is larger than 2 GiB",
         "check name, folder and permissions. Dragging the file onto the terminal types its path for you";
     "no-models": "the folder holds no .osim file", "name a model, or the folder that holds them";
-    "not-xml": "this is not XML: an empty file, a ZIP archive, a motion, a binary file",
+    "not-xml": "this is not XML: an empty file, a ZIP archive, a motion, a table, a binary file",
         "get the model again from where it came";
     "encoding": "the file is UTF-16, or starts with two byte order marks; OpenSim cannot read it",
         "save it as UTF-8. Windows PowerShell makes UTF-16 when you use >; use `output=FILE`";
@@ -133,7 +133,7 @@ const QUESTION_ERRORS: &[ErrorCode] = codes! {
         "give the coordinates that the message names default values at which the foot lies flat, or the places in a table, `contacts=TABLE`; if this is intended, confirm it with `yes=tilted-foot`";
     "unequal-feet": "left and right foot are not posed as mirror images at the default pose (by more than 1 degree): spheres under their bones would differ from side to side",
         "give the coordinates of both legs the same default values, or the places in a table, `contacts=TABLE`; if this is intended, confirm it with `yes=unequal-feet`";
-    "wrong-afterwards": "the model that would be written has an error that it does not have now: `check MODEL` says of every model what it says here of the new one",
+    "wrong-afterwards": "the model that would be written has an error that it does not have now: `check` would find it there",
         "do what the message says of the error; if this is intended, confirm it with `yes=wrong-afterwards`";
     "many-models": "a sweep would make more than 10,000 models", "give fewer values, or `yes=many-models`";
     "poor-fit": "the fitted model has more than half of the error of a model that never touches, or a larger error than the model as it is",
