@@ -302,7 +302,7 @@ inChromium("a fall is played, before beside after, with what it shows in words",
   await user.field("Target mass (kg)").fill("500");
   await user.settled();
   const words = await user.page.locator("#fall-said").textContent();
-  const [before, after] = [...words.matchAll(/at most ([\d.]+) body weights, in up to ([\d.]+) mm \(([\d.]+) of the radius\)/g)];
+  const [before, after] = [...words.matchAll(/at most ([\d.]+) body weights, up to ([\d.]+) mm deep \(([\d.]+) of the radius\)/g)];
   // Contacts that are left behind let the heavier body in deeper, in radii; scaled ones fall as they did.
   assert.ok(Number(before[3]) > 2 * Number(after[3]), words);
   const time = user.page.getByRole("slider", { name: "Time of the fall" });

@@ -57,5 +57,5 @@ function describeFall({ name, forces_bw: forces, why_not: why, heights_m: height
   const begin = which.charAt(0).toUpperCase() + which.slice(1);
   if (why !== null) return `${begin}: ${why}.`;
   const deepest = -Math.min(...heights);
-  return `${begin}: at most ${digits(Math.max(...forces), 3)} body weights, in up to ${digits(deepest * 1000, 3)} mm (${digits(deepest / radius, 2)} of the radius).`;
+  return `${begin}: at most ${digits(Math.max(...forces), 3)} body weights, up to ${digits(deepest * 1000, 3)} mm deep (${digits(deepest / radius, 2)} of the radius).`;
 }
