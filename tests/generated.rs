@@ -127,7 +127,7 @@ fn published_models_table() -> Option<String> {
     let all = checked.len();
     let table = markdown_table(&["code", "severity", "models", "which, where they are few"], rows);
     Some(format!(
-        "Of {all} published models with contacts {with_warnings} have an error or a warning.\n\n{table}"
+        "Published models with contacts: {all}. With an error or a warning: {with_warnings}.\n\n{table}"
     ))
 }
 
