@@ -113,7 +113,8 @@ fn a_table_that_is_not_a_manifest_is_refused_with_a_correction() {
     for (manifest, says) in [
         ("model,targt-mass\nhuman.osim,5\n", "did you mean 'target-mass'"),
         ("#file,target-mass\nhuman.osim,5\n", "no column 'model'"),
-        ("name,target-mass\nhuman.osim,5\n", "call the column with the names of the files 'model'"),
+        ("Study 3,\nmodel,target-mass\nhuman.osim,5\n", "it has to name the columns"),
+        ("name,target-mass\nhuman.osim,5\n", "call that of the files 'model' or 'file'"),
         ("model,target-mass\nhuman,5\n", "there is no such file: human: did you mean human.osim?"),
         ("model,Target mass (lb)\nhuman.osim,180\n", "expected kg, not lb"),
         ("model,weight (lb)\nhuman.osim,180\n", "is 'weight (lb)' that mass? Call it target-mass, in kg"),

@@ -38,7 +38,7 @@ fn a_cell_that_is_neither_number_nor_text_is_named() {
     for (book, says) in [
         ("broken_formula.xlsx", "cell B3 (#REF!) is a broken formula of the spreadsheet: repair it there"),
         ("date.xlsx", "cell B2 is a date or a time, expected a number or a text"),
-        ("truth.xlsx", "cell B3 is true or false, expected a number or a text"),
+        ("truth.xlsx", "cell B3 is true or false, expected a number or a text, such as yes"),
         ("overflow.xlsx", "a sheet of this workbook has a cell or row 'B4294967298'"),
     ] {
         write_workbook(&dir, book);

@@ -142,7 +142,7 @@ fn text_of_cell(cell: &Data) -> Result<String, String> {
         Data::Error(error) => {
             Err(format!("({}) {}", name_of_error(error), osim_planning::sheet::BROKEN_FORMULA_MESSAGE))
         }
-        Data::Bool(_) => Err("is true or false, expected a number or a text".to_owned()),
+        Data::Bool(_) => Err("is true or false, expected a number or a text, such as yes".to_owned()),
         _ => {
             Err("is a date or a time, expected a number or a text: give its column the format Text or Number"
                 .to_owned())

@@ -106,7 +106,7 @@ impl Columns {
         let Some(model) = columns.iter().find(|column| column.kind == CellKind::Model) else {
             let cells: Vec<String> = header.iter().map(|cell| format!("'{cell}'")).collect();
             let has = if cells.is_empty() { "nothing".to_owned() } else { cells.join(", ") };
-            let what = "call the column with the names of the files 'model' or 'file'";
+            let what = "it has to name the columns; call that of the files 'model' or 'file'";
             return Err(format!("no column 'model' in the first row, which has {has}: {what}").into());
         };
         let model = model.header.clone();
