@@ -49,14 +49,15 @@ impl Files for Disk {
 /// The `error` of a file that the user named, with what may be meant instead.
 fn with_advice(path: &Path, error: FileError) -> FileError {
     let typed = path.to_string_lossy();
-    FileError::new(match similar_file(path) {
+    let advice = match similar_file(path) {
         _ if path.exists() => return error,
         _ if typed.contains("://") => "there is no such file, but an address: download it first".to_owned(),
         // The shells of Windows leave it to the program.
         _ if typed.contains('*') => "names with * are not searched for: name the folder instead".to_owned(),
         Some(near) => format!("there is no such file: did you mean {}?", near.display()),
         None => return error,
-    })
+    };
+    FileError::new(advice)
 }
 
 /// The date in UTC: of `epoch` (seconds since 1970), which repeatable builds set, or else of `now`.
