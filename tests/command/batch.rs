@@ -116,6 +116,7 @@ fn a_table_that_is_not_a_manifest_is_refused_with_a_correction() {
         ("Study 3,\nmodel,target-mass\nhuman.osim,5\n", "it has to name the columns"),
         ("name,target-mass\nhuman.osim,5\n", "call that of the files 'model' or 'file'"),
         ("model,target-mass\nhuman,5\n", "there is no such file: human: did you mean human.osim?"),
+        ("model,target-mass\nhumn.osim,5\n", "there is no such file: humn.osim: did you mean human.osim?"),
         ("model,Target mass (lb)\nhuman.osim,180\n", "expected kg, not lb"),
         ("model,weight (lb)\nhuman.osim,180\n", "is 'weight (lb)' that mass? Call it target-mass, in kg"),
         ("model,model\nhuman.osim,5\n", "appears twice"),

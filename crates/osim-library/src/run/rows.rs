@@ -12,7 +12,7 @@ use osim_planning::{RowFault, RowRequest, Table};
 use osim_requests::BatchRequest;
 use osim_requests::options::OutputOptions;
 
-use crate::paths::refuse_file_as_folder;
+use crate::paths::{refuse_file_as_folder, similar_file};
 use crate::run::request::RunRequest;
 use crate::run::summary_lines::summary_columns;
 use crate::run::task::{JobSettings, ResultDestination, Task};
@@ -128,7 +128,7 @@ impl TableRows<'_> {
         if !row.model.is_file() {
             let why =
                 if row.model.exists() { "this is not an ordinary file" } else { "there is no such file" };
-            let model = Some(row.model.with_extension("osim")).filter(|path| path.is_file());
+            let model = similar_file(&row.model).filter(|_| !row.model.exists());
             let hint = model.map(|path| format!(": did you mean {}?", path.display())).unwrap_or_default();
             return Err(RowFault::of(column, format!("{why}: {}{hint}", row.model.display())));
         }
