@@ -104,7 +104,7 @@ fn limits_in_words(drop: &DropResult) -> String {
 
 /// A difference in words. A difference that is only a rounding error counts as 0.
 fn difference_in_words(difference: f64) -> String {
-    if difference < ROUNDING_OF_CURVES { "below 1e-9".to_owned() } else { format!("{difference:.3e}") }
+    if difference < ROUNDING_OF_CURVES { "below 1e-9".to_owned() } else { four_significant(difference) }
 }
 
 /// A chart of force over body weight against time, made of letters, for a terminal with this many columns.
