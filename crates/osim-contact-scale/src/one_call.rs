@@ -48,8 +48,9 @@ impl Session {
             _ => failure.model.to_string(),
         };
         let message = failure.message.spelled(self.words);
-        // Messages about outputs name them. If an output is the model itself, it is named already.
-        let message = message.strip_prefix(&format!("{} ", failure.model)).unwrap_or(&message);
+        // Some messages name their file. If that is the model, it is named already.
+        let after_name = |mark: &str| message.strip_prefix(&format!("{}{mark} ", failure.model));
+        let message = after_name("").or_else(|| after_name(":")).unwrap_or(&message);
         self.terminal.error(&format!("error: {place}: {message}\n"));
         if let Some(excerpt) = &failure.excerpt {
             let source = Snippet::source(excerpt.text.as_str()).line_start(excerpt.line);

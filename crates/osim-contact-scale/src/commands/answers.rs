@@ -13,11 +13,11 @@ use osim_planning::{
 use osim_requests::options::Format;
 use osim_requests::{
     DesignRequest, DropTestRequest, ExplainRequest, FitRequest, MotionFormat, MotionRequest, PlotKind,
-    PlotRequest, PresetsRequest, ReproduceRequest, RequestError, SeriesFormat,
+    PlotRequest, PresetsRequest, ReproduceRequest, SeriesFormat,
 };
 use osim_view::figures;
 use osim_view::report::explain::{Alphabet, answer};
-use osim_view::report::json::{FailureRecord, line};
+use osim_view::report::json::line;
 use osim_view::report::layout::WIDTH;
 use osim_view::report::messages::mass_mismatch;
 use osim_view::report::reproduce::{ReproductionRecord, fig1_text, reproduction_csv, reproduction_text};
@@ -89,26 +89,14 @@ fn refusal_of_folder(folder: &str, session: &Session) -> String {
 /// Wrong usage.
 pub(crate) fn fit(request: &FitRequest, session: &mut Session) -> Result<Exit> {
     let json = request.run.is_json();
-    match run_fit(request, &Disk) {
-        Ok(fit) => {
-            let text = if json {
-                line(&FitRecord::from(&fit))
-            } else {
-                fit_text(&fit, session.words, session.terminal.columns())
-            };
-            session.terminal.print_as(&text, json)?;
-            Ok(Exit::Done)
-        }
-        Err(RequestError::Fault(fault)) => Err(session.usage_error(&fault)),
-        Err(RequestError::Failure(failure)) => {
-            if json {
-                session.terminal.print_records(&line(&FailureRecord::new(&failure, session.words)))?;
-            }
-            // The message begins with the name of the file.
-            session.terminal.error_line(&failure.message.spelled(session.words));
-            Ok(Exit::Failed)
-        }
-    }
+    let fit = run_fit(request, &Disk).map_err(|error| session.refuse(error, json))?;
+    let text = if json {
+        line(&FitRecord::from(&fit))
+    } else {
+        fit_text(&fit, session.words, session.terminal.columns())
+    };
+    session.terminal.print_as(&text, json)?;
+    Ok(Exit::Done)
 }
 
 // `reproduce`: what the paper prints and draws, computed again.
@@ -231,10 +219,9 @@ pub(crate) fn motion(request: &MotionRequest, session: &mut Session) -> Result<E
         bail!("'{}' is a folder, and a motion is that of one model: name a model in it", folder.display());
     }
     let files = MotionFiles::of(request).map_err(|fault| session.file_error(&fault))?;
-    let result = run_motion(request, &Disk)
-        .map_err(|error| session.refuse(error, request.format == MotionFormat::Json))?;
-    let next = NextModels::new(request, &result, &Disk)
-        .map_err(|error| session.refuse(error, request.format == MotionFormat::Json))?;
+    let json = request.format == MotionFormat::Json;
+    let result = run_motion(request, &Disk).map_err(|error| session.refuse(error, json))?;
+    let next = NextModels::new(request, &result, &Disk).map_err(|error| session.refuse(error, json))?;
     let remarks = result.remarks(request);
     let text = match request.format {
         MotionFormat::Json => line(&MotionRecord::new(&result, &remarks, session.words)),
