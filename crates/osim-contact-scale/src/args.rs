@@ -231,12 +231,11 @@ fn with_models(request: Request) -> Result<Request, RequestFault> {
         Request::Note(note) => Some(&note.models),
         _ => None,
     };
-    match models.is_some_and(Vec::is_empty) {
-        true => Err(RequestFault::general(
-            "no model given, expected one or more .osim files or folders (see --help)",
-        )),
-        false => Ok(request),
+    if models.is_some_and(Vec::is_empty) {
+        let text = "no model given, expected one or more .osim files or folders (see --help)";
+        return Err(RequestFault::general(text));
     }
+    Ok(request)
 }
 
 // A usage error in one line.
