@@ -1805,7 +1805,7 @@ def transfer(
         `follow_bodies`]
     level : bool, optional
         Keep the soles: where a radius changes, move the centre so that the lowest point of the sphere stays (with
-        `follow_bodies`: on the scaled sole).
+        `follow_bodies`: on the scaled sole)
     level_axis : {"x", "y", "z", "-x", "-y", "-z"}, optional
         The axis of the spheres' frames that points up with the foot flat [default: nearest to -gravity]
     only : str or list of str, optional
