@@ -49,6 +49,7 @@ fn a_scaled_model_beside_its_original_is_asked_for_it() {
     let next = "What to do: osim-contact-scale check MODEL --from GENERIC compares";
     dir.run("check scaled.osim generic.osim").succeeded().says(&["spheres-not-compared", next]);
     dir.run("check scaled.osim generic.osim --from generic.osim").failed().says_not(&[next]);
+    dir.run("check .").says(&["osim-contact-scale check . --from GENERIC compares each"]);
 }
 
 #[test]

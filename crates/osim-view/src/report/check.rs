@@ -370,7 +370,8 @@ impl LibraryTable {
         let is_open = self.codes.keys().any(|(_, code)| *code == FindingCode::SpheresNotCompared);
         if is_open && self.call.from.is_none() {
             let call = Verb::Check.call_with_model().with_placeholder(Input::From, "GENERIC");
-            let call = words.command(&call);
+            let name = if folder.is_empty() { "MODEL".to_owned() } else { words.word(&folder) };
+            let call = words.command(&call).replacen("MODEL", &name, 1);
             let what = format!("What to do: {call} compares each with the model that was scaled");
             text.push_str(&format!("\n{}", layout.wrapped(&what, "  ")));
         }
