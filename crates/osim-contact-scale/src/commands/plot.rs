@@ -69,15 +69,13 @@ impl<'o> PlotOutput<'o> {
         for read in read {
             conflicts.add_input(read.as_path());
         }
-        let is_csv = |path: &Path| path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("csv"));
+        let failed = |fault| session.file_error(&fault);
         if let Some(data) = data {
-            if !is_csv(data) {
+            if !data.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("csv")) {
                 return Err(session.wrong_ending(Input::Data, data, ".csv"));
             }
-            require_folder_of(data, None).map_err(|fault| session.file_error(&fault))?;
-            conflicts
-                .add_output(data, "the table of the figure")
-                .map_err(|fault| session.file_error(&fault))?;
+            require_folder_of(data, None).map_err(failed)?;
+            conflicts.add_output(data, "the table of the figure").map_err(failed)?;
         }
         if path.as_os_str() == "-" {
             return Ok(Self { path: None, picture: Picture::Svg, data });
@@ -94,8 +92,8 @@ impl<'o> PlotOutput<'o> {
             }
             _ => return Err(session.wrong_ending(Input::Output, path, ".svg, .pdf or .png")),
         };
-        require_folder_of(path, None).map_err(|fault| session.file_error(&fault))?;
-        conflicts.add_output(path, "the figure").map_err(|fault| session.file_error(&fault))?;
+        require_folder_of(path, None).map_err(failed)?;
+        conflicts.add_output(path, "the figure").map_err(failed)?;
         Ok(Self { path: Some(path), picture, data })
     }
 
