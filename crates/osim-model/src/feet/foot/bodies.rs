@@ -32,16 +32,15 @@ impl FootBodies {
         forces: &[ForceId],
         pose: &DefaultPose,
     ) -> Vec<Self> {
-        let tree = BodyTree { anatomy };
         if spheres.is_empty() {
             let up = model.up();
             let height_m = |body: &str| Some(up.dot(pose.placement(body).ok()?.translation_m));
-            return feet_near_ground(&tree, &height_m);
+            return feet_near_ground(anatomy, &height_m);
         }
         let mut groups = groups_by_limb(model, spheres, forces);
-        groups.extend(groups_by_body(&tree, model, &spheres_outside_groups(spheres, &groups)));
+        groups.extend(groups_by_body(anatomy, model, &spheres_outside_groups(spheres, &groups)));
         let carriers: HashSet<&str> = spheres.iter().filter_map(|&id| name_of_carrier(model, id)).collect();
-        groups.into_iter().flat_map(|group| feet_of_group(&tree, model, group, &carriers)).collect()
+        groups.into_iter().flat_map(|group| feet_of_group(anatomy, model, group, &carriers)).collect()
     }
 
     /// The body of the foot that is nearest to the trunk.
@@ -92,14 +91,14 @@ fn spheres_by_body<'m>(model: &'m Model, spheres: &[SphereId]) -> Vec<(&'m str, 
 }
 
 /// Groups the spheres that are in no limb: one group for each body, or for several joined bodies of one side.
-fn groups_by_body(tree: &BodyTree<'_>, model: &Model, spheres: &[SphereId]) -> Vec<SphereGroup> {
+fn groups_by_body(anatomy: &Anatomy, model: &Model, spheres: &[SphereId]) -> Vec<SphereGroup> {
     let mut on: HashMap<&str, Vec<SphereId>> = HashMap::new();
     let mut bodies = Vec::new();
     for (body, spheres) in spheres_by_body(model, spheres) {
         bodies.push(body);
         on.insert(body, spheres);
     }
-    let groups = tree.groups_of_connected_bodies(&bodies).into_iter().map(|group| SphereGroup {
+    let groups = anatomy.groups_of_connected_bodies(&bodies).into_iter().map(|group| SphereGroup {
         side: group.first().and_then(|body| Side::of_name(body)),
         spheres: group.iter().flat_map(|body| on.get(body).cloned().unwrap_or_default()).collect(),
     });
@@ -109,14 +108,14 @@ fn groups_by_body(tree: &BodyTree<'_>, model: &Model, spheres: &[SphereId]) -> V
 /// The foot of a group of spheres: the bodies with these spheres, the bodies between them, and the bodies below them on the same side.
 /// Bodies that only ground connects become separate feet.
 fn feet_of_group(
-    tree: &BodyTree<'_>,
+    anatomy: &Anatomy,
     model: &Model,
     group: SphereGroup,
     carriers: &HashSet<&str>,
 ) -> Vec<FootBodies> {
     let carriers_of_group = spheres_by_body(model, &group.spheres);
     let names: Vec<&str> = carriers_of_group.iter().map(|(body, _)| *body).collect();
-    let Some(joined) = tree.with_connecting_bodies(&names) else {
+    let Some(joined) = anatomy.with_connecting_bodies(&names) else {
         let alone = carriers_of_group.into_iter().map(|(body, spheres)| FootBodies {
             bodies: vec![body.to_owned()],
             side: group.side,
@@ -125,13 +124,13 @@ fn feet_of_group(
         return alone.collect();
     };
     let bodies =
-        tree.with_bodies_below(joined, group.side, carriers).into_iter().map(str::to_owned).collect();
+        anatomy.with_bodies_below(joined, group.side, carriers).into_iter().map(str::to_owned).collect();
     vec![FootBodies { bodies, side: group.side, spheres: group.spheres }]
 }
 
 /// The feet of a model without spheres: bodies near the ground.
-fn feet_near_ground(tree: &BodyTree<'_>, height_m: &dyn Fn(&str) -> Option<f64>) -> Vec<FootBodies> {
-    let names: Vec<&str> = tree.anatomy.bodies.iter().map(String::as_str).collect();
+fn feet_near_ground(anatomy: &Anatomy, height_m: &dyn Fn(&str) -> Option<f64>) -> Vec<FootBodies> {
+    let names: Vec<&str> = anatomy.bodies.iter().map(String::as_str).collect();
     let sided = |name: &&str| Side::of_name(name).is_some();
     let heights: Vec<(&str, f64)> = names.iter().filter_map(|&name| Some((name, height_m(name)?))).collect();
     let (low, high) = least_and_most(heights.iter().map(|(_, height)| *height));
@@ -144,49 +143,38 @@ fn feet_near_ground(tree: &BodyTree<'_>, height_m: &dyn Fn(&str) -> Option<f64>)
     }
     let foot = |bodies: Vec<&str>| FootBodies {
         side: bodies.first().and_then(|body| Side::of_name(body)),
-        bodies: tree.top_first(bodies).into_iter().map(str::to_owned).collect(),
+        bodies: anatomy.top_first(bodies).into_iter().map(str::to_owned).collect(),
         spheres: Vec::new(),
     };
-    tree.groups_of_connected_bodies(&feet).into_iter().map(foot).collect()
+    anatomy.groups_of_connected_bodies(&feet).into_iter().map(foot).collect()
 }
 
 // Bodies as a tree of joints: which of them are joined to each other. Each body is visited once, however long a chain is.
 
-/// The bodies of a model and the joints between them.
-pub(super) struct BodyTree<'t> {
-    anatomy: &'t Anatomy,
-}
-
-impl<'t> BodyTree<'t> {
-    fn parent(&self, body: &str) -> Option<&'t str> {
-        self.anatomy.joint_above(body).map(|joint| joint.parent.as_str())
+impl Anatomy {
+    fn parent_of_body(&self, body: &str) -> Option<&str> {
+        self.joint_above(body).map(|joint| joint.parent.as_str())
     }
 
     /// Walks from `body` up the joint tree until a body that is in `seen`. Returns the bodies passed, and the body in `seen`. Adds the
     /// passed bodies to `seen`.
-    fn walk_up<'b>(&self, body: &'b str, seen: &mut HashSet<&'b str>) -> (Vec<&'b str>, Option<&'b str>)
-    where
-        't: 'b,
-    {
+    fn walk_up<'b>(&'b self, body: &'b str, seen: &mut HashSet<&'b str>) -> (Vec<&'b str>, Option<&'b str>) {
         let (mut walked, mut next) = (Vec::new(), Some(body));
         while let Some(at) = next {
             if !seen.insert(at) {
                 return (walked, Some(at));
             }
             walked.push(at);
-            next = self.parent(at);
+            next = self.parent_of_body(at);
         }
         (walked, None)
     }
 
     /// Groups `bodies` of one side that joints connect. Groups are in the order of their first body, and bodies keep their given order.
-    fn groups_of_connected_bodies<'b>(&self, bodies: &[&'b str]) -> Vec<Vec<&'b str>>
-    where
-        't: 'b,
-    {
+    fn groups_of_connected_bodies<'b>(&'b self, bodies: &[&'b str]) -> Vec<Vec<&'b str>> {
         let allowed: HashSet<&str> = bodies.iter().copied().collect();
         let above = |body: &'b str| {
-            let parent = self.parent(body).filter(|parent| allowed.contains(parent))?;
+            let parent = self.parent_of_body(body).filter(|parent| allowed.contains(parent))?;
             (Side::of_name(parent) == Side::of_name(body)).then_some(parent)
         };
         let mut group_of: HashMap<&str, usize> = HashMap::new();
@@ -215,10 +203,7 @@ impl<'t> BodyTree<'t> {
     }
 
     /// `bodies` and all bodies between them in the joint tree, those nearest to the trunk first; `None` if no body is above all of them.
-    pub(super) fn with_connecting_bodies<'b>(&self, bodies: &[&'b str]) -> Option<Vec<&'b str>>
-    where
-        't: 'b,
-    {
+    fn with_connecting_bodies<'b>(&'b self, bodies: &[&'b str]) -> Option<Vec<&'b str>> {
         let mut seen = HashSet::new();
         let (first, _) = self.walk_up(bodies.first()?, &mut seen);
         let steps: HashMap<&str, usize> =
@@ -240,19 +225,16 @@ impl<'t> BodyTree<'t> {
 
     /// `bodies` and the bodies below them that are of the same side and carry no sphere.
     fn with_bodies_below<'b>(
-        &self,
+        &'b self,
         mut bodies: Vec<&'b str>,
         side: Option<Side>,
         carriers: &HashSet<&str>,
-    ) -> Vec<&'b str>
-    where
-        't: 'b,
-    {
+    ) -> Vec<&'b str> {
         let mut known: HashSet<&str> = bodies.iter().copied().collect();
         let mut at = 0;
         while let Some(body) = bodies.get(at).copied() {
             at += 1;
-            for child in self.anatomy.joints_below(body).map(|joint| joint.child.as_str()) {
+            for child in self.joints_below(body).map(|joint| joint.child.as_str()) {
                 let same = side.is_some() && Side::of_name(child) == side;
                 if same && !carriers.contains(child) && known.insert(child) {
                     bodies.push(child);
@@ -263,10 +245,7 @@ impl<'t> BodyTree<'t> {
     }
 
     /// Sorts bodies by the number of joints above them, the fewest first.
-    fn top_first<'b>(&self, mut bodies: Vec<&'b str>) -> Vec<&'b str>
-    where
-        't: 'b,
-    {
+    fn top_first<'b>(&'b self, mut bodies: Vec<&'b str>) -> Vec<&'b str> {
         let mut depths: HashMap<&str, usize> = HashMap::new();
         for &body in &bodies {
             let (mut walked, mut next) = (Vec::new(), Some(body));
@@ -274,7 +253,7 @@ impl<'t> BodyTree<'t> {
                 // Until its depth is known, so that a circle of joints, which OpenSim refuses, has an end.
                 depths.insert(at, 0);
                 walked.push(at);
-                next = self.parent(at);
+                next = self.parent_of_body(at);
             }
             let above = next.and_then(|known| depths.get(known)).map_or(0, |depth| depth + 1);
             depths.extend(walked.into_iter().rev().zip(above..));
