@@ -1,11 +1,13 @@
 //! The planes on which contact forces press spheres, with their places and their tilt against gravity at the default pose; also pairs of
 //! spheres that could touch each other.
 
+use std::collections::BTreeSet;
 use std::ops::Deref;
 use std::sync::Arc;
 
-use foldhash::{HashMap, HashSet};
+use foldhash::HashMap;
 use glam::DVec3;
+use indexmap::IndexMap;
 
 use super::default_pose::{DefaultPose, WeldedGroups};
 use crate::model::{
@@ -59,7 +61,7 @@ impl ContactPlane {
     /// on each of its planes, except planes on the sphere's own body or on a body welded to it.
     pub fn all(model: &Model, forces: &[ForceId], pose: &DefaultPose) -> Vec<Self> {
         let welds = WeldedGroups::of(model.joints());
-        let mut planes_with_spheres = PlanesWithSpheres::default();
+        let mut planes: IndexMap<(FileId, ElementId), (Arc<HalfSpace>, BTreeSet<SphereId>)> = IndexMap::new();
         for force in forces.iter().filter_map(|&id| model.force(id)).filter(|force| force.applies) {
             let spheres: Vec<&Sphere> = force.spheres().iter().filter_map(|&id| model.sphere(id)).collect();
             for plane in model.planes_of(force) {
@@ -67,14 +69,17 @@ impl ContactPlane {
                 let presses = |sphere: &&&Sphere| {
                     !sphere.fixed && !sphere.body.as_deref().is_some_and(is_welded_to_plane)
                 };
-                let floor_contacts = spheres.iter().filter(presses).map(|sphere| sphere.id).collect();
-                planes_with_spheres.add(plane, floor_contacts);
+                let mut pressed = spheres.iter().filter(presses).map(|sphere| sphere.id).peekable();
+                if pressed.peek().is_some() {
+                    let new = || (Arc::clone(&plane), BTreeSet::new());
+                    planes.entry((plane.file, plane.element)).or_insert_with(new).1.extend(pressed);
+                }
             }
         }
-        // Sorted once: after each force, it would be work that grows with their square.
-        let contact_planes = planes_with_spheres.planes.into_iter().map(|(plane, mut spheres)| {
-            spheres.sort_unstable();
-            Self { surface: PlaneSurface::of(model, &plane, pose), plane, spheres }
+        let contact_planes = planes.into_values().map(|(plane, spheres)| Self {
+            surface: PlaneSurface::of(model, &plane, pose),
+            plane,
+            spheres: spheres.into_iter().collect(),
         });
         contact_planes.collect()
     }
@@ -105,30 +110,6 @@ impl PlaneSurface {
             tilt_rad: angle_between(normal, model.up()),
             level_orientation,
         })
-    }
-}
-
-/// Collects planes with their spheres, each pair of plane and sphere once.
-#[derive(Default)]
-struct PlanesWithSpheres {
-    planes: Vec<(Arc<HalfSpace>, Vec<SphereId>)>,
-    index: HashMap<(FileId, ElementId), usize>,
-    paired: HashSet<(usize, SphereId)>,
-}
-
-impl PlanesWithSpheres {
-    /// Adds spheres that press on a plane.
-    fn add(&mut self, plane: Arc<HalfSpace>, spheres: Vec<SphereId>) {
-        if spheres.is_empty() {
-            return;
-        }
-        let key = (plane.file, plane.element);
-        let index = *self.index.entry(key).or_insert(self.planes.len());
-        if index == self.planes.len() {
-            self.planes.push((plane, Vec::new()));
-        }
-        let Some((_, floor_contacts)) = self.planes.get_mut(index) else { return };
-        floor_contacts.extend(spheres.into_iter().filter(|&sphere| self.paired.insert((index, sphere))));
     }
 }
 

@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use foldhash::{HashMap, HashMapExt};
+use indexmap::IndexMap;
 
 use crate::messages::{Input, listed, shortest};
 use crate::model::components::{Carrier, ComponentId};
@@ -168,8 +168,7 @@ fn no_contacts(model: &Model) -> Fault {
 
 /// Asks the caller to choose forces if their bodies are joined only through ground, such as a player and a ball.
 fn refuse_several_trees(model: &Model, forces: &[ForceId]) -> Result<()> {
-    let mut trees: Vec<(String, Vec<ForceId>)> = Vec::new();
-    let mut by_name: HashMap<Cow<'_, str>, usize> = HashMap::new();
+    let mut trees: IndexMap<Cow<'_, str>, Vec<ForceId>> = IndexMap::new();
     for force in forces.iter().filter_map(|&id| model.force(id)) {
         for sphere in force.spheres().iter().filter_map(|&sphere| model.sphere(sphere)) {
             let Carrier::Body(body) = sphere.base else { continue };
@@ -177,21 +176,20 @@ fn refuse_several_trees(model: &Model, forces: &[ForceId]) -> Result<()> {
                 continue;
             }
             let top = model.components().name(model.skeleton().top(body));
-            let index = *by_name.entry(top.clone()).or_insert(trees.len());
-            match trees.get_mut(index) {
-                Some((_, forces)) if forces.last() == Some(&force.id) => {}
-                Some((_, forces)) => forces.push(force.id),
-                None => trees.push((top.into_owned(), vec![force.id])),
+            let forces = trees.entry(top).or_default();
+            if forces.last() != Some(&force.id) {
+                forces.push(force.id);
             }
         }
     }
     if trees.len() < 2 {
         return Ok(());
     }
-    let trees = trees.into_iter();
-    let trees =
-        trees.map(|(top, forces)| ForcesOfAnimal { top, forces: model.short_force_names(&forces) }).collect();
-    Err(Fault::new(MissingFact::Selection { trees, input: Input::Select }))
+    let trees = trees.into_iter().map(|(top, forces)| ForcesOfAnimal {
+        top: top.into_owned(),
+        forces: model.short_force_names(&forces),
+    });
+    Err(Fault::new(MissingFact::Selection { trees: trees.collect(), input: Input::Select }))
 }
 
 /// The set of properties that a request may change.

@@ -4,7 +4,7 @@
 use std::fmt;
 
 use contact_scaling::limits;
-use foldhash::{HashMap, HashMapExt};
+use indexmap::IndexMap;
 
 use crate::messages::{Dialect, Phrase, named};
 use crate::xml::TextPosition;
@@ -167,16 +167,11 @@ impl Finding {
 
     /// Makes one finding of all that have the same cause. It has the place and the line of the first, and a sentence for each.
     pub fn group_by_cause(findings: Vec<Self>) -> Vec<Self> {
-        let mut groups: Vec<Vec<Self>> = Vec::new();
-        let mut by_cause: HashMap<String, usize> = HashMap::new();
+        let mut groups: IndexMap<String, Vec<Self>> = IndexMap::new();
         for finding in findings {
-            let index = *by_cause.entry(finding.cause()).or_insert(groups.len());
-            match groups.get_mut(index) {
-                Some(group) => group.push(finding),
-                None => groups.push(vec![finding]),
-            }
+            groups.entry(finding.cause()).or_default().push(finding);
         }
-        groups.iter().filter_map(|cases| Self::join_cases(cases)).collect()
+        groups.values().filter_map(|cases| Self::join_cases(cases)).collect()
     }
 
     /// One finding of all `cases`, with the place and the line of the first, and a sentence for each.

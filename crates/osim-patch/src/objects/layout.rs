@@ -2,6 +2,7 @@
 
 use contact_scaling::modulus::SurfaceValues;
 use foldhash::{HashMap, HashMapExt, HashSet};
+use indexmap::IndexMap;
 use osim_model::messages::counted;
 use osim_model::{
     Anatomy, AnatomyJoint, AnatomySphere, Fault, FaultKind, Force, ForceKind, HalfSpace, Model, ParameterSet,
@@ -274,15 +275,11 @@ fn refuse_repeated_pair(model: &Model, force: &Force) -> Result<()> {
     for &sphere in force.sets.iter().flat_map(|set| &set.spheres) {
         *times_of_sphere.entry(sphere).or_default() += 1;
     }
-    let mut at_path: HashMap<String, usize> = HashMap::new();
-    let mut planes: Vec<(HalfSpace, usize)> = Vec::new();
+    let mut planes: IndexMap<String, (HalfSpace, usize)> = IndexMap::new();
     for plane in force.sets.iter().flat_map(|set| model.planes_of_set(set)) {
-        let at = *at_path.entry(plane.path.clone()).or_insert(planes.len());
-        match planes.get_mut(at) {
-            Some((_, times)) => *times += 1,
-            None => planes.push((plane, 1)),
-        }
+        planes.entry(plane.path.clone()).or_insert((plane, 0)).1 += 1;
     }
+    let mut planes: Vec<(HalfSpace, usize)> = planes.into_values().collect();
     planes.sort_by_key(|(_, times)| std::cmp::Reverse(*times));
     let most = planes.first().map_or(0, |(_, times)| *times);
     for sphere in force.spheres().iter().filter_map(|&id| model.sphere(id)) {

@@ -157,12 +157,12 @@ pub(super) fn add_changes_section(fragment: &mut Fragment, plan: &Plan) {
 
 fn table_of_objects(plan: &Plan) -> Markup {
     let rows = html! {
-        @for group in object_groups(plan.objects()) {
+        @for ((action, class), names) in object_groups(plan.objects()) {
             tr {
-                th scope="row" { code { (group.class) } }
-                td.words { (group.action.as_str()) }
-                td { (group.names.len()) }
-                td.words { (first_names_and_count(&group.names)) }
+                th scope="row" { code { (class) } }
+                td.words { (action.as_str()) }
+                td { (names.len()) }
+                td.words { (first_names_and_count(&names)) }
             }
         }
     };

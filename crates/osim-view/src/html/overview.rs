@@ -4,6 +4,7 @@ use std::cmp::Reverse;
 use std::collections::BTreeMap;
 
 use contact_scaling::limits;
+use indexmap::IndexMap;
 use maud::{Markup, html};
 use osim_model::messages::{counted, four_significant};
 use osim_model::{FindingCode, Severity};
@@ -32,7 +33,7 @@ pub(super) struct PageCounts {
     /// The references of all models, each once, in the order of the models.
     references: Vec<String>,
     /// The outcomes of models that did not fail, with the number of models for each, in the order of the models.
-    outcomes: Vec<(String, usize)>,
+    outcomes: IndexMap<String, usize>,
     /// Number of models that were inspected.
     inspected: usize,
     /// Numbers of inspected models with errors, with warnings and with remarks.
@@ -53,10 +54,7 @@ impl PageCounts {
             self.failed += 1;
             return;
         }
-        match self.outcomes.iter_mut().find(|(outcome, _)| *outcome == entry.outcome) {
-            Some((_, count)) => *count += 1,
-            None => self.outcomes.push((entry.outcome.clone(), 1)),
-        }
+        *self.outcomes.entry(entry.outcome.clone()).or_default() += 1;
         let Some(facts) = &entry.facts else { return };
         if let Some(reference) = &facts.reference
             && self.references.len() < MOST_REFERENCES

@@ -1,7 +1,8 @@
 //! Figures of spheres: a column for each group of equal spheres and each state of the model.
 
-use std::collections::{HashMap, HashSet};
+use std::collections::HashMap;
 
+use indexmap::{IndexMap, IndexSet};
 use maud::{Markup, html};
 use osim_inspect::{Figure, Figures, SphereFigures};
 
@@ -64,7 +65,7 @@ impl<'s> SphereLookup<'s> {
 /// Spheres whose figures are equal in every state.
 struct SphereGroup<'s> {
     names: Vec<&'s str>,
-    limbs: Vec<&'s str>,
+    limbs: IndexSet<&'s str>,
     /// One sphere of the group in each state.
     spheres: Vec<Option<&'s SphereFigures>>,
     mixed: bool,
@@ -121,11 +122,9 @@ fn own_heights_table(state: &ModelState<'_>) -> Markup {
 }
 
 fn sphere_groups<'s>(states: &'s [ModelState<'s>]) -> Vec<SphereGroup<'s>> {
-    let mut groups: Vec<SphereGroup<'s>> = Vec::new();
-    let Some(first) = states.first() else { return groups };
+    let Some(first) = states.first() else { return Vec::new() };
     let lookups: Vec<SphereLookup<'s>> = states.iter().map(SphereLookup::of).collect();
-    let mut places: HashMap<Vec<String>, usize> = HashMap::new();
-    let mut limbs: HashSet<(usize, &str)> = HashSet::new();
+    let mut groups: IndexMap<Vec<String>, SphereGroup<'s>> = IndexMap::new();
     for limb in &first.figures.limbs {
         let mixed = limb.is_mixed();
         for sphere in &limb.spheres {
@@ -135,26 +134,13 @@ fn sphere_groups<'s>(states: &'s [ModelState<'s>]) -> Vec<SphereGroup<'s>> {
                 .iter()
                 .flat_map(|sphere| sphere.map(|sphere| key(sphere, Extent::Brief)).unwrap_or_default())
                 .collect();
-            let limb = limb.limb.as_deref().unwrap_or_default();
-            let place = *places.entry(key).or_insert(groups.len());
-            let is_new = limbs.insert((place, limb));
-            match groups.get_mut(place) {
-                Some(group) => {
-                    group.names.push(&sphere.sphere);
-                    group.limbs.extend(is_new.then_some(limb));
-                }
-                None => {
-                    groups.push(SphereGroup {
-                        names: vec![&sphere.sphere],
-                        limbs: vec![limb],
-                        spheres,
-                        mixed,
-                    });
-                }
-            }
+            let new = SphereGroup { names: Vec::new(), limbs: IndexSet::new(), spheres, mixed };
+            let group = groups.entry(key).or_insert(new);
+            group.names.push(&sphere.sphere);
+            group.limbs.insert(limb.limb.as_deref().unwrap_or_default());
         }
     }
-    groups
+    groups.into_values().collect()
 }
 
 fn names_with_limbs(group: &SphereGroup<'_>) -> String {

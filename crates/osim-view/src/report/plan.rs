@@ -1,9 +1,10 @@
 //! Shows a plan as text.
 
-use std::collections::{HashMap, HashSet};
+use std::collections::HashSet;
 use std::fmt;
 
 use imara_diff::{Algorithm, Diff, InternedInput, Interner, Token, UnifiedDiffConfig, UnifiedDiffPrinter};
+use indexmap::IndexMap;
 use osim_model::Property;
 use osim_model::messages::{four_significant, listed, one_line, readable};
 use osim_patch::{ChangedBy, NumberChange, ObjectAction, ObjectChange, PlaceChange, Plan};
@@ -70,14 +71,9 @@ const MOST_NAMES_IN_CHANGE: usize = 2;
 /// The table of added and removed objects, with a row for each class.
 fn table_of_objects(objects: &[ObjectChange], columns: Option<usize>) -> String {
     let mut table = table(&["objects", "", "class", "names"]);
-    for group in object_groups(objects) {
-        let count = group.names.len().to_string();
-        table.add_row([
-            group.action.as_str(),
-            &count,
-            group.class,
-            &listed(&group.names, MOST_OBJECTS_NAMED),
-        ]);
+    for ((action, class), names) in object_groups(objects) {
+        let count = names.len().to_string();
+        table.add_row([action.as_str(), &count, class, &listed(&names, MOST_OBJECTS_NAMED)]);
     }
     table.right_aligned(&[1]);
     table.text_if_any(columns, "")
@@ -181,20 +177,15 @@ pub fn centre(metres: f64) -> String {
 
 /// Groups of equal changes, in the order of the first change of each group.
 pub(crate) fn equal_changes(changes: &[NumberChange]) -> Vec<Vec<&NumberChange>> {
-    let mut groups: Vec<Vec<&NumberChange>> = Vec::new();
-    let mut places = HashMap::new();
+    let mut groups: IndexMap<_, Vec<&NumberChange>> = IndexMap::new();
     for change in changes {
         // What a group has in common.
         let radii = change.radii_m.map(|[old, _]| old.map(f64::to_bits));
         let numbers = (change.from.to_bits(), change.to.to_bits(), radii);
         let key = (change.property, numbers, change.by, change.inserted);
-        let place = *places.entry(key).or_insert(groups.len());
-        match groups.get_mut(place) {
-            Some(group) => group.push(change),
-            None => groups.push(vec![change]),
-        }
+        groups.entry(key).or_default().push(change);
     }
-    groups
+    groups.into_values().collect()
 }
 
 /// The name of the only force or sphere of a group, or how many forces or spheres it has.
@@ -221,25 +212,11 @@ pub fn names<'c>(group: &[&'c NumberChange]) -> Vec<&'c str> {
 
 // Objects of one class together, so that twelve spheres are one line.
 
-/// Objects of one class that are all added, or all removed.
-pub struct ObjectGroup<'p> {
-    /// Whether the objects are added or removed.
-    pub action: ObjectAction,
-    /// OpenSim's class of the added or removed objects of this group.
-    pub class: &'static str,
-    /// The names of the objects, in the order of the plan.
-    pub names: Vec<&'p str>,
-}
-
-/// Groups of objects by class, and by whether they are added or removed, in the order of the first object of each group.
-pub(crate) fn object_groups(objects: &[ObjectChange]) -> Vec<ObjectGroup<'_>> {
-    let mut groups: Vec<ObjectGroup<'_>> = Vec::new();
+/// The names of objects by whether they are added or removed, and by OpenSim's class, in the order of the first object of each group.
+pub(crate) fn object_groups(objects: &[ObjectChange]) -> IndexMap<(ObjectAction, &'static str), Vec<&str>> {
+    let mut groups: IndexMap<_, Vec<&str>> = IndexMap::new();
     for object in objects {
-        let (action, class) = (object.action, object.class);
-        match groups.iter_mut().find(|group| group.action == action && group.class == class) {
-            Some(group) => group.names.push(&object.name),
-            None => groups.push(ObjectGroup { action, class, names: vec![&object.name] }),
-        }
+        groups.entry((object.action, object.class)).or_default().push(&object.name);
     }
     groups
 }

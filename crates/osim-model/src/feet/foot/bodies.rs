@@ -1,6 +1,7 @@
 //! Finds the bodies that form each foot, by the joint tree.
 
 use foldhash::{HashMap, HashMapExt, HashSet, HashSetExt};
+use indexmap::IndexMap;
 
 use crate::feet::default_pose::DefaultPose;
 use crate::model::{Anatomy, ForceId, Model, Side, SphereId, least_and_most};
@@ -76,28 +77,19 @@ fn name_of_carrier(model: &Model, sphere: SphereId) -> Option<&str> {
 }
 
 /// The spheres of each body, in the order of the first sphere on each body.
-fn spheres_by_body<'m>(model: &'m Model, spheres: &[SphereId]) -> Vec<(&'m str, Vec<SphereId>)> {
-    let mut places: HashMap<&str, usize> = HashMap::new();
-    let mut by_body: Vec<(&str, Vec<SphereId>)> = Vec::new();
+fn spheres_by_body<'m>(model: &'m Model, spheres: &[SphereId]) -> IndexMap<&'m str, Vec<SphereId>> {
+    let mut by_body: IndexMap<&str, Vec<SphereId>> = IndexMap::new();
     for &id in spheres {
         let Some(body) = name_of_carrier(model, id) else { continue };
-        let place = *places.entry(body).or_insert(by_body.len());
-        match by_body.get_mut(place) {
-            Some((_, known)) => known.push(id),
-            None => by_body.push((body, vec![id])),
-        }
+        by_body.entry(body).or_default().push(id);
     }
     by_body
 }
 
 /// Groups the spheres that are in no limb: one group for each body, or for several joined bodies of one side.
 fn groups_by_body(anatomy: &Anatomy, model: &Model, spheres: &[SphereId]) -> Vec<SphereGroup> {
-    let mut on: HashMap<&str, Vec<SphereId>> = HashMap::new();
-    let mut bodies = Vec::new();
-    for (body, spheres) in spheres_by_body(model, spheres) {
-        bodies.push(body);
-        on.insert(body, spheres);
-    }
+    let on = spheres_by_body(model, spheres);
+    let bodies: Vec<&str> = on.keys().copied().collect();
     let groups = anatomy.groups_of_connected_bodies(&bodies).into_iter().map(|group| SphereGroup {
         side: group.first().and_then(|body| Side::of_name(body)),
         spheres: group.iter().flat_map(|body| on.get(body).cloned().unwrap_or_default()).collect(),
@@ -114,7 +106,7 @@ fn feet_of_group(
     carriers: &HashSet<&str>,
 ) -> Vec<FootBodies> {
     let carriers_of_group = spheres_by_body(model, &group.spheres);
-    let names: Vec<&str> = carriers_of_group.iter().map(|(body, _)| *body).collect();
+    let names: Vec<&str> = carriers_of_group.keys().copied().collect();
     let Some(joined) = anatomy.with_connecting_bodies(&names) else {
         let alone = carriers_of_group.into_iter().map(|(body, spheres)| FootBodies {
             bodies: vec![body.to_owned()],

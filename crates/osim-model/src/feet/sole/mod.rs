@@ -5,6 +5,7 @@ mod footprint;
 
 use foldhash::{HashMap, HashMapExt, HashSet, HashSetExt};
 use glam::{DVec2, DVec3};
+use indexmap::{IndexMap, IndexSet};
 
 use crate::feet::bones::Bone;
 use crate::feet::convex_hull::{convex_hull, sort_and_dedup};
@@ -248,39 +249,25 @@ fn group_bodies(model: &Model, bones: &[Bone]) -> Vec<SoleBodies> {
     let joints = model.joints().iter();
     let parents: HashMap<String, String> =
         joints.filter_map(|joint| Some((joint.child.clone()?, joint.parent.clone()?))).collect();
-    let mut listed: Vec<&str> = Vec::new();
-    for bone in bones {
-        if !listed.contains(&bone.body.as_str()) {
-            listed.push(&bone.body);
-        }
-    }
-    let mut feet: Vec<(String, SoleBodies)> = Vec::new();
+    let listed: IndexSet<&str> = bones.iter().map(|bone| bone.body.as_str()).collect();
+    let mut feet: IndexMap<String, SoleBodies> = IndexMap::new();
     for body in &listed {
-        let top = top_of_foot(body, &listed, &parents);
-        match feet.iter_mut().find(|(known, _)| *known == top) {
-            Some((_, foot)) => foot.bodies.push((*body).to_owned()),
-            None => feet.push((
-                top,
-                SoleBodies {
-                    bodies: vec![(*body).to_owned()],
-                    side: None,
-                    limb: topmost_body_of_side(body, &parents),
-                },
-            )),
-        }
+        let limb = topmost_body_of_side(body, &parents);
+        let new = SoleBodies { bodies: Vec::new(), side: None, limb };
+        feet.entry(top_of_foot(body, &listed, &parents)).or_insert(new).bodies.push((*body).to_owned());
     }
-    let sided = |(_, mut foot): (String, SoleBodies)| {
+    let sided = |mut foot: SoleBodies| {
         let mut sides = foot.bodies.iter().map(|body| Side::of_name(body));
         let first = sides.next().flatten();
         foot.side = first.filter(|_| sides.all(|side| side == first));
         foot
     };
-    feet.into_iter().map(sided).collect()
+    feet.into_values().map(sided).collect()
 }
 
 /// The highest body, from `body` upwards, that belongs to the same foot: it is in the list, or it is of the same side and has another
 /// listed body below.
-fn top_of_foot(body: &str, listed: &[&str], parents: &HashMap<String, String>) -> String {
+fn top_of_foot(body: &str, listed: &IndexSet<&str>, parents: &HashMap<String, String>) -> String {
     let path = bodies_upwards_from(body, parents);
     let shared = |above: &str| {
         let below = |other: &&&str| {
@@ -290,7 +277,7 @@ fn top_of_foot(body: &str, listed: &[&str], parents: &HashMap<String, String>) -
     };
     let side = Side::of_name(body);
     let belongs = |above: &&String| {
-        listed.contains(&above.as_str()) || (side.is_some() && Side::of_name(above) == side && shared(above))
+        listed.contains(above.as_str()) || (side.is_some() && Side::of_name(above) == side && shared(above))
     };
     path.iter().rev().find(belongs).cloned().unwrap_or_else(|| body.to_owned())
 }

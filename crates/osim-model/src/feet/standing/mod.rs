@@ -10,6 +10,7 @@ use std::collections::BTreeSet;
 use contact_scaling::DomainError;
 use foldhash::{HashMap, HashMapExt, HashSet};
 use glam::DVec3;
+use indexmap::IndexMap;
 
 use super::contact_planes::{ContactPlane, PlaneSurface};
 use super::default_pose::DefaultPose;
@@ -106,19 +107,14 @@ fn spheres_by_tree<'j>(
     floors: &SphereFloors,
     tree: &JointTree<'j>,
     pose: &DefaultPose,
-) -> Result<Vec<(&'j str, Vec<SphereId>)>, PoseFault> {
-    let mut places: HashMap<&str, usize> = HashMap::new();
+) -> Result<IndexMap<&'j str, Vec<SphereId>>, PoseFault> {
     let mut tops: HashMap<&str, Option<&str>> = HashMap::new();
-    let mut groups: Vec<(&str, Vec<SphereId>)> = Vec::new();
+    let mut groups: IndexMap<&str, Vec<SphereId>> = IndexMap::new();
     for id in floors.spheres() {
         let Some(body) = model.sphere(id).and_then(|sphere| sphere.body.as_deref()) else { continue };
         pose.placement(body)?;
         let Some(top) = *tops.entry(body).or_insert_with(|| tree.top(body)) else { continue };
-        let place = *places.entry(top).or_insert(groups.len());
-        match groups.get_mut(place) {
-            Some((_, spheres)) => spheres.push(id),
-            None => groups.push((top, vec![id])),
-        }
+        groups.entry(top).or_default().push(id);
     }
     Ok(groups)
 }
