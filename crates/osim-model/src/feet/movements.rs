@@ -109,11 +109,7 @@ impl Movements {
 impl PathsToGround {
     /// Finds the joint above each body of `model`.
     fn of(model: &Model) -> Self {
-        let coordinates = Coordinates {
-            model,
-            known: CoordinateValues::at_default_pose(model),
-            states: CoordinateStates::of(model),
-        };
+        let states = CoordinateStates::of(model);
         let mut above = HashMap::new();
         for joint in model.joints() {
             let (body, parent) = match (&joint.child, &joint.parent) {
@@ -124,7 +120,7 @@ impl PathsToGround {
             };
             above
                 .entry(body.clone())
-                .or_insert_with(|| JointAbove { parent, mobility: coordinates.mobility_of(joint) });
+                .or_insert_with(|| JointAbove { parent, mobility: states.mobility_of(joint) });
         }
         Self { ends: path_ends(&above), above }
     }
@@ -167,23 +163,17 @@ fn path_ends(above: &HashMap<String, JointAbove>) -> HashMap<String, PathEnd> {
     ends
 }
 
-/// The coordinates of a model, with their values at the default pose.
-struct Coordinates<'m> {
-    model: &'m Model,
-    known: &'m CoordinateValues,
-    states: CoordinateStates<'m>,
-}
-
-impl Coordinates<'_> {
+impl CoordinateStates<'_> {
     /// The movements that the free coordinates of a joint allow.
     fn mobility_of(&self, joint: &ModelJoint) -> Mobility {
         if joint.coordinates.is_empty() {
             return mobility_of_class(&joint.class);
         }
-        let own = joint.coordinates.iter().map(|coordinate| self.known.values.get(&coordinate.name).copied());
+        let known = &CoordinateValues::at_default_pose(self.model).values;
+        let own = joint.coordinates.iter().map(|coordinate| known.get(&coordinate.name).copied());
         let Some(values) = own.collect::<Option<Vec<f64>>>() else { return Mobility::ALL };
         let Some(here) = joint.placement(self.model, &values) else { return Mobility::ALL };
-        let is_free = |coordinate| self.states.state_of(joint, coordinate) == CoordinateState::Free;
+        let is_free = |coordinate| self.state_of(joint, coordinate) == CoordinateState::Free;
         let free = joint.coordinates.iter().enumerate().filter(|(_, coordinate)| is_free(coordinate));
         free.fold(Mobility::default(), |all, (index, _)| {
             let mut moved = values.clone();
