@@ -229,7 +229,7 @@ fn the_mixing_rule_is_named_by_a_word() {
             name,
         );
     }
-    let with_rule = scaling::all().filter(|function| function.takes_rule()).count();
+    let with_rule = scaling::all().filter(|function| function.takes_rule).count();
     assert_eq!(with_rule, 2);
 }
 

@@ -28,7 +28,7 @@ pub(crate) fn equations() -> Vec<DescribedFunction> {
     let named =
         |parameters: &[Parameter]| parameters.iter().map(|one| (one.name, one.default)).collect::<Vec<_>>();
     let mut described: Vec<DescribedFunction> = all()
-        .map(|one| (one.name, "numbers", named(one.parameters), one.takes_rule(), one.docstring()))
+        .map(|one| (one.name, "numbers", named(one.parameters), one.takes_rule, one.docstring()))
         .collect();
     let list = MEAN_SQUARE_RADIUS;
     described.push((list.name, "list", named(&[list.parameter]), false, list.docstring()));

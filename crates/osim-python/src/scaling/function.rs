@@ -23,16 +23,10 @@ pub(crate) struct Function {
     pub parameters: &'static [Parameter],
     /// The kind of value that the function returns.
     pub returns: Returns,
+    /// Whether the function takes one of two rules for the modulus of two surfaces: Python's keyword `rule`.
+    pub takes_rule: bool,
     /// The Rust function that computes the values of the Python function.
-    pub call: RustFunction,
-}
-
-/// The Rust function that computes the values of a Python function.
-#[derive(Debug, Clone, Copy)]
-pub(crate) enum RustFunction {
-    Numbers(fn(&[f64]) -> Result<f64, EquationError>),
-    /// A function of numbers and one of two rules for the modulus of two surfaces: Python's keyword `rule`.
-    WithRule(fn(MixingRule, &[f64]) -> Result<f64, EquationError>),
+    pub call: fn(MixingRule, &[f64]) -> Result<f64, EquationError>,
 }
 
 impl Function {
@@ -46,11 +40,7 @@ impl Function {
         }
         let named = self.parameters.iter().map(|parameter| parameter.name).zip(arguments.iter().copied());
         EquationError::unless_finite(named.clone())?;
-        let value = match self.call {
-            RustFunction::Numbers(call) => call(arguments),
-            RustFunction::WithRule(call) => call(rule, arguments),
-        };
-        let value = value.map_err(|failure| failure.with_argument(named))?;
+        let value = (self.call)(rule, arguments).map_err(|failure| failure.with_argument(named))?;
         if value.is_finite() { Ok(value) } else { Err(EquationError::result(value)) }
     }
 
@@ -63,11 +53,6 @@ impl Function {
         Columns::new(names, columns)?.each(|arguments| self.value(rule, arguments))
     }
 
-    /// Whether the function takes the keyword `rule`.
-    pub(crate) fn takes_rule(&self) -> bool {
-        matches!(self.call, RustFunction::WithRule(_))
-    }
-
     /// Every form of every equation that the function computes. One function may compute several: (8), (9) and (10).
     pub(crate) fn forms(&self) -> impl Iterator<Item = (&'static Equation, &'static Form)> {
         forms(self.computes)
@@ -76,7 +61,7 @@ impl Function {
     /// Docstring of the function, without its examples.
     pub(crate) fn docstring(&self) -> String {
         let arguments = self.parameters.iter().map(|&parameter| Argument::new(parameter, ARRAY_TYPE));
-        docstring(self.forms(), arguments.chain(self.takes_rule().then(Argument::rule)), self.returns)
+        docstring(self.forms(), arguments.chain(self.takes_rule.then(Argument::rule)), self.returns)
     }
 }
 
@@ -162,19 +147,21 @@ macro_rules! parameter {
 /// contact-scaling", value`. With `[rule]` in front it also takes the rule by which two surfaces make one modulus.
 macro_rules! function {
     ([$rule:ident] $name:ident $arguments:tt -> $returns:expr, $computes:literal, $value:expr) => {
-        function!(@of $name, $arguments, $returns, $computes,
-            $crate::scaling::RustFunction::WithRule(|$rule, values| function!(@value values, $arguments, $value)))
+        function!(@of $name, $arguments, $returns, $computes, true,
+            |$rule, values| function!(@value values, $arguments, $value))
     };
     ($name:ident $arguments:tt -> $returns:expr, $computes:literal, $value:expr) => {
-        function!(@of $name, $arguments, $returns, $computes,
-            $crate::scaling::RustFunction::Numbers(|values| function!(@value values, $arguments, $value)))
+        function!(@of $name, $arguments, $returns, $computes, false,
+            |_, values| function!(@value values, $arguments, $value))
     };
-    (@of $name:ident, ($($argument:ident: $symbol:ident $(= $default:literal)?),+), $returns:expr, $computes:literal, $call:expr) => {
+    (@of $name:ident, ($($argument:ident: $symbol:ident $(= $default:literal)?),+), $returns:expr, $computes:literal,
+        $takes_rule:literal, $call:expr) => {
         $crate::scaling::Function {
             name: stringify!($name),
             computes: $computes,
             parameters: &[$($crate::scaling::function::parameter!($argument: $symbol $(= $default)?)),+],
             returns: $returns,
+            takes_rule: $takes_rule,
             call: $call,
         }
     };

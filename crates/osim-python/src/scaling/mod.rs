@@ -10,7 +10,7 @@ mod function;
 mod laws;
 mod spheres;
 
-pub(crate) use function::{EquationError, Function, MIXING_RULES, Parameter, RustFunction, rule_by_name};
+pub(crate) use function::{EquationError, Function, MIXING_RULES, Parameter, rule_by_name};
 pub(crate) use spheres::{MEAN_SQUARE_RADIUS, SPHERE_LIST_FUNCTIONS};
 
 /// All functions that take numbers, in the order of the paper.
