@@ -14,7 +14,7 @@ use contact_scaling::{continuation, equations};
 mod scaling;
 
 use scaling::{
-    EquationError, Function, MEAN_SQUARE_RADIUS, MIXING_RULES, SPHERE_LIST_FUNCTIONS, rule_by_name,
+    EquationError, Function, MIXING_RULES, SPHERE_LIST_FUNCTIONS, mean_square_radius, rule_by_name,
 };
 
 /// Inputs of each function of `contact-scaling`, and its values in 50-digit arithmetic.
@@ -98,7 +98,7 @@ fn python_has_every_function_on_the_page_of_equations() {
     let here: BTreeSet<&str> = scaling::all()
         .map(|function| function.computes)
         .chain(of_spheres)
-        .chain([MEAN_SQUARE_RADIUS.computes])
+        .chain([mean_square_radius::COMPUTES])
         .chain(FUNCTIONS_NOT_IN_PYTHON.map(|(name, _)| name))
         .collect();
     assert_eq!(here, page);
@@ -236,7 +236,7 @@ fn the_mixing_rule_is_named_by_a_word() {
 /// Names are valid in Python and differ from each other; arguments with defaults are last.
 #[test]
 fn names_and_defaults_of_functions_are_valid_in_python() {
-    let lists = SPHERE_LIST_FUNCTIONS.iter().map(|function| function.name).chain([MEAN_SQUARE_RADIUS.name]);
+    let lists = SPHERE_LIST_FUNCTIONS.iter().map(|function| function.name).chain([mean_square_radius::NAME]);
     let mut seen = BTreeSet::from(["continuation_steps"]);
     for name in scaling::all().map(|function| function.name).chain(lists) {
         assert!(seen.insert(name), "{name} is there twice");
@@ -285,7 +285,7 @@ fn docstrings_come_from_the_register() {
          (1): Van Bijlert (2026), section 2; Hertz's law as in Johnson (1985) and Sherman et al. (2011).\n"
     );
     let [hertz, smooth] = &SPHERE_LIST_FUNCTIONS;
-    for text in [hertz.docstring(), smooth.docstring(), MEAN_SQUARE_RADIUS.docstring()] {
+    for text in [hertz.docstring(), smooth.docstring(), mean_square_radius::docstring_of_function()] {
         assert!(
             text.contains("\nradius : sequence of float\n    R_i: ") && text.contains("beyond the paper"),
             "{text}"
@@ -370,8 +370,8 @@ fn the_error_names_the_refused_sphere() {
 #[test]
 fn a_list_of_radii_has_one_mean_square() {
     // (9 + 16) / 2
-    assert_eq!(MEAN_SQUARE_RADIUS.value(&[3.0, 4.0]).unwrap(), 12.5);
-    let message = |radii: &[f64]| MEAN_SQUARE_RADIUS.value(radii).unwrap_err().to_string();
+    assert_eq!(mean_square_radius::value(&[3.0, 4.0]).unwrap(), 12.5);
+    let message = |radii: &[f64]| mean_square_radius::value(radii).unwrap_err().to_string();
     assert_eq!(message(&[3.0, -1.0]), "radius[1] is -1.0, expected a finite number above 0");
     assert_eq!(message(&[3.0, 4.0, f64::NAN]), "radius[2] is NaN, expected a finite number");
     assert_eq!(message(&[]), "number of spheres is 0.0, expected a finite number above 0");

@@ -9,7 +9,7 @@ use pyo3::types::PyByteArray;
 use crate::calls_into_rust::without_gil;
 use crate::problem::Problem;
 use crate::scaling::{
-    EquationError, MEAN_SQUARE_RADIUS, MIXING_RULES, Parameter, SPHERE_LIST_FUNCTIONS, all, rule_by_name,
+    EquationError, MIXING_RULES, Parameter, SPHERE_LIST_FUNCTIONS, all, mean_square_radius, rule_by_name,
 };
 
 /// The placeholder in a message for the indices of an array's element: only Python knows the shapes of its arrays.
@@ -30,8 +30,9 @@ pub(crate) fn equations() -> Vec<DescribedFunction> {
     let mut described: Vec<DescribedFunction> = all()
         .map(|one| (one.name, "numbers", named(one.parameters), one.takes_rule, one.docstring()))
         .collect();
-    let list = MEAN_SQUARE_RADIUS;
-    described.push((list.name, "list", named(&[list.parameter]), false, list.docstring()));
+    let radius = named(&[mean_square_radius::RADIUS]);
+    let docstring = mean_square_radius::docstring_of_function();
+    described.push((mean_square_radius::NAME, "list", radius, false, docstring));
     let spheres = SPHERE_LIST_FUNCTIONS.iter();
     described.extend(spheres.map(|one| (one.name, "spheres", named(one.spheres), false, one.docstring())));
     described
@@ -79,8 +80,8 @@ pub(crate) fn equation_of_list(
     let value = without_gil(py, || {
         let columns: Vec<Vec<f64>> = columns.iter().map(|column| to_floats(column)).collect();
         let columns: Vec<&[f64]> = columns.iter().map(Vec::as_slice).collect();
-        if name == MEAN_SQUARE_RADIUS.name {
-            return Ok(MEAN_SQUARE_RADIUS.value(columns.first().copied().unwrap_or_default()));
+        if name == mean_square_radius::NAME {
+            return Ok(mean_square_radius::value(columns.first().copied().unwrap_or_default()));
         }
         let Some(function) = SPHERE_LIST_FUNCTIONS.iter().find(|one| one.name == name) else {
             return Err(unknown_equation(name));

@@ -8,10 +8,11 @@
 
 mod function;
 mod laws;
+pub(crate) mod mean_square_radius;
 mod spheres;
 
 pub(crate) use function::{EquationError, Function, MIXING_RULES, Parameter, rule_by_name};
-pub(crate) use spheres::{MEAN_SQUARE_RADIUS, SPHERE_LIST_FUNCTIONS};
+pub(crate) use spheres::SPHERE_LIST_FUNCTIONS;
 
 /// All functions that take numbers, in the order of the paper.
 pub(crate) fn all() -> impl Iterator<Item = &'static Function> {

@@ -1,10 +1,8 @@
-//! Python functions of lists: lists of spheres that a body rests on, and lists of numbers.
+//! Python functions of lists of spheres that a body rests on.
 
-use contact_scaling::equations::symbols::{R_I, R_SQUARE, X};
+use contact_scaling::equations::symbols::X;
 use contact_scaling::equilibrium::{self, RaisedSpheres};
-use contact_scaling::{
-    DomainError, Hertz, HuntCrossley, Law, SmoothSphere, SmoothingValues, Spheres, mixed_radii,
-};
+use contact_scaling::{DomainError, Hertz, HuntCrossley, Law, SmoothSphere, SmoothingValues, Spheres};
 
 use crate::scaling::function::{Argument, Parameter, Returns, docstring};
 use crate::scaling::function::{Columns, EquationError, forms, parameter};
@@ -27,7 +25,7 @@ pub(crate) struct SphereListFunction {
 }
 
 /// The type of an argument that is a list of numbers, in docstrings.
-const LIST_TYPE: &str = "sequence of float";
+pub(super) const LIST_TYPE: &str = "sequence of float";
 /// Height of a sphere's bottom above the lowest bottom; left out if all bottoms are at one height.
 pub(crate) const HEIGHT: Parameter = parameter!(height: H_I);
 /// The load on all spheres together.
@@ -131,54 +129,5 @@ impl SphereListFunction {
         let height = Argument::new(HEIGHT, &format!("{LIST_TYPE}, optional"));
         let arguments = [Argument::new(LOAD, "float")].into_iter().chain(spheres).chain([height]);
         docstring(forms(self.level).chain(forms(self.raised)), arguments, self.returns)
-    }
-}
-
-// Functions of one list of numbers.
-
-/// An equation that computes one number from a list of numbers.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct NumberListFunction {
-    pub name: &'static str,
-    /// Name of the function in `contact-scaling` that computes the equation.
-    pub computes: &'static str,
-    /// The argument that takes a list of values.
-    pub parameter: Parameter,
-    /// The kind of value that the function returns.
-    pub returns: Returns,
-}
-
-/// The mean R² of spheres with one modulus, which replaces their radii in equation (3).
-pub(crate) const MEAN_SQUARE_RADIUS: NumberListFunction = NumberListFunction {
-    name: "mean_square_radius",
-    computes: "mixed_radii::mean_square",
-    parameter: Parameter { name: "radius", symbol: R_I, default: None },
-    returns: Returns::Value(R_SQUARE),
-};
-
-impl NumberListFunction {
-    /// The value of the equation for a list of numbers.
-    ///
-    /// # Errors
-    /// The list is empty, or an element is not a finite number above 0.
-    pub(crate) fn value(&self, list: &[f64]) -> Result<f64, EquationError> {
-        let name = self.parameter.name;
-        for (index, &element) in list.iter().enumerate() {
-            EquationError::unless_finite(std::iter::once((name, element)))
-                .map_err(|failure| failure.at(index))?;
-        }
-        mixed_radii::mean_square(list).map_err(|error| {
-            let failure =
-                EquationError::from(error).with_argument(list.iter().map(|&element| (name, element)));
-            match list.iter().position(|element| *element == failure.value) {
-                Some(index) if failure.parameter.is_some() => failure.at(index),
-                _ => failure,
-            }
-        })
-    }
-
-    pub(crate) fn docstring(&self) -> String {
-        let argument = Argument::new(self.parameter, LIST_TYPE);
-        docstring(forms(self.computes), std::iter::once(argument), self.returns)
     }
 }
