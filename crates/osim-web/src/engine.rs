@@ -1,5 +1,6 @@
 //! Answers calls of the web page about models in memory.
 
+use std::collections::BTreeMap;
 use std::path::Path;
 use std::rc::Rc;
 
@@ -95,11 +96,7 @@ impl Engine {
 
 /// An answer without error, in JSON.
 fn ok_answer(answer: impl Serialize) -> Result<String, Problem> {
-    #[derive(Serialize)]
-    struct Answer<T> {
-        ok: T,
-    }
-    serde_json::to_string(&Answer { ok: answer }).map_err(Problem::defect)
+    serde_json::to_string(&BTreeMap::from([("ok", answer)])).map_err(Problem::defect)
 }
 
 impl Engine {
@@ -145,12 +142,10 @@ impl Engine {
 
     /// The model at `path`. It is read again only after a file changed.
     fn open(&mut self, path: &Path, set_files: &SetFiles) -> Result<Rc<OpenedModel>, Failure> {
-        if let Some(at) = self.opened.iter().position(|opened| opened.was_opened_from(path, set_files)) {
-            let opened = self.opened.remove(at);
-            self.opened.insert(0, Rc::clone(&opened));
-            return Ok(opened);
-        }
-        let opened = Rc::new(OpenedModel::read(path, set_files, &self.files)?);
+        let opened = match self.opened.iter().position(|opened| opened.was_opened_from(path, set_files)) {
+            Some(at) => self.opened.remove(at),
+            None => Rc::new(OpenedModel::read(path, set_files, &self.files)?),
+        };
         self.opened.insert(0, Rc::clone(&opened));
         self.opened.truncate(MOST_OPEN_MODELS);
         Ok(opened)
@@ -188,24 +183,19 @@ impl Engine {
     fn report(&mut self, mut fields: Fields) -> Result<Value, Problem> {
         let request = Request::from_map(fields.clone())?;
         let verb = request.verb();
-        if let Request::Inspect(request) = &request {
+        let (path, entry) = if let Request::Inspect(request) = &request {
             let [path] = request.models.as_slice() else {
                 return Err(Problem::wrong_call("this report is about one model"));
             };
             let inspector = Inspector::for_inspect(request, &self.files);
             let opened = self.open(path, &inspector.set_files)?;
-            let entry = opened_model::entry(&inspector, &opened, &self.files, &CommandLine)?;
-            return change::report(verb, path, report_command(&mut fields, path)?, entry);
-        }
-        let planned = self.plan(request, &CommandLine)?;
-        let path = planned.path().to_owned();
-        let entry = planned.entry(&self.files)?;
-        change::report(verb, &path, report_command(&mut fields, &path)?, entry)
+            (path.clone(), opened_model::entry(&inspector, &opened, &self.files, &CommandLine)?)
+        } else {
+            let planned = self.plan(request, &CommandLine)?;
+            (planned.path().to_owned(), planned.entry(&self.files)?)
+        };
+        fields.insert("report".to_owned(), report_name(&path).into());
+        let command = CommandLine.request(&Request::from_map(fields)?);
+        change::report(verb, &path, command, entry)
     }
-}
-
-/// The command that writes the report about the model `path`.
-fn report_command(fields: &mut Fields, path: &Path) -> Result<String, Problem> {
-    fields.insert("report".to_owned(), report_name(path).into());
-    Ok(CommandLine.request(&Request::from_map(fields.clone())?))
 }
