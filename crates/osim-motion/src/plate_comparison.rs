@@ -35,18 +35,13 @@ pub struct ComparisonPlane {
 }
 
 impl Comparison {
-    /// Compares `model` with `measured` in the frames that `counts` accepts; `None` if there are none.
-    pub fn of(
-        model: &[Wrench],
-        measured: &[Option<Wrench>],
-        on: &ComparisonPlane,
-        counts: impl Fn(usize) -> bool,
-    ) -> Option<Self> {
+    /// Compares `model` with `measured` in the frames with both; `None` if there are none.
+    pub fn of(model: &[Wrench], measured: &[Option<Wrench>], on: &ComparisonPlane) -> Option<Self> {
         let (mut frames, mut along, mut across) = (0_usize, 0.0, 0.0);
         let (mut peak_n, mut measured_peak_n) = (f64::NEG_INFINITY, f64::NEG_INFINITY);
         let (mut cop_frames, mut apart) = (0_usize, 0.0);
-        for (frame, (modelled, plate)) in model.iter().zip(measured).enumerate() {
-            let Some(plate) = plate.as_ref().filter(|_| counts(frame)) else { continue };
+        for (modelled, plate) in model.iter().zip(measured) {
+            let Some(plate) = plate else { continue };
             frames += 1;
             let (modelled_n, plate_n) =
                 (modelled.force_n.dot(on.normal) + 0.0, plate.force_n.dot(on.normal) + 0.0);
@@ -125,6 +120,7 @@ mod tests {
 
     use super::*;
     use crate::recording::{Recording, RecordingOptions};
+    use crate::states::Belt;
     use crate::table::Table;
 
     #[test]
@@ -133,14 +129,14 @@ mod tests {
         let model = [at(0.1, 100.0), at(0.1, 200.0), at(0.0, 0.0), at(0.0, 5.0)];
         let measured = [Some(at(0.13, 104.0)), Some(at(0.1, 197.0)), None, Some(at(0.0, 5.0))];
         let on = ComparisonPlane { normal: DVec3::Y, point_m: DVec3::ZERO, least_n: 10.0, has_points: true };
-        let all = Comparison::of(&model, &measured, &on, |_| true).unwrap();
+        let all = Comparison::of(&model, &measured, &on).unwrap();
         // 4, -3 and 0 N: 25/3. Points 0.03 m and 0 m apart in two frames.
         assert_eq!((all.frames, all.cop_frames), (3, 2));
         assert!((all.normal_rms_n - (25.0_f64 / 3.0).sqrt()).abs() < 1e-12);
         assert!(all.horizontal_rms_n < 1e-7);
         assert!((all.cop_rms_m.unwrap() - 0.03 / 2.0_f64.sqrt()).abs() < 1e-12);
         assert_eq!((all.peak_n, all.measured_peak_n), (200.0, 197.0));
-        assert_eq!(Comparison::of(&model, &measured, &on, |frame| frame == 2), None);
+        assert_eq!(Comparison::of(&model[2..3], &measured[2..3], &on), None);
     }
 
     /// A model whose body has two spheres, 1 m behind and 1 m ahead of its joint, in one force with a dissipation of 2 s/m.
@@ -175,7 +171,8 @@ mod tests {
         let model = see_saw_model();
         let table = Table::read(text.as_bytes()).unwrap();
         let recording = Recording::of(&model, &table, &RecordingOptions::default()).unwrap();
-        LeftOutForces::of(&ContactStates::of(&model, &recording, &model.force_ids(), [0.0; 3]).unwrap())
+        let states = ContactStates::of(&model, &recording, &model.force_ids(), &Belt::default());
+        LeftOutForces::of(&states.unwrap())
     }
 
     #[test]

@@ -59,12 +59,6 @@ impl Default for Belt {
     }
 }
 
-impl From<[f64; 3]> for Belt {
-    fn from(velocity: [f64; 3]) -> Self {
-        Self::Constant(velocity.into())
-    }
-}
-
 /// Why the contacts of a model along a motion cannot be computed.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum StatesError {
@@ -137,9 +131,9 @@ impl ContactStates {
         model: &Model,
         recording: &Recording,
         forces: &[ForceId],
-        belt: impl Into<Belt>,
+        belt: &Belt,
     ) -> Result<Self, StatesError> {
-        Self::from_pairs(model, recording, contact_pairs(model, forces)?, &belt.into(), None)
+        Self::from_pairs(model, recording, contact_pairs(model, forces)?, belt, None)
     }
 
     /// The states of the same pairs along another motion.

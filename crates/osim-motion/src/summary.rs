@@ -135,7 +135,7 @@ impl Summary {
         let along = |wrench: &Wrench| wrench.force_n.dot(normal) + 0.0;
         let comparison = on.zip(measured).and_then(|(on, measured)| {
             let has_points = measured.has_points.iter().all(|&has_points| has_points);
-            Comparison::of(&total, &measured.total, &ComparisonPlane { has_points, ..on }, |_| true)
+            Comparison::of(&total, &measured.total, &ComparisonPlane { has_points, ..on })
         });
         let spans: Vec<(f64, f64)> = feet.iter().flat_map(FootSummary::strides).collect();
         let modelled: Vec<Option<f64>> = total.iter().map(|wrench| Some(along(wrench))).collect();
@@ -212,7 +212,7 @@ impl FootSummary {
             spheres: foot.pairs.iter().map(|&pair| SphereSummary::of(states, pair)).collect(),
             comparison: on
                 .zip(plates)
-                .and_then(|(on, (measured, _))| Comparison::of(&wrenches, measured, &on, |_| true)),
+                .and_then(|(on, (measured, _))| Comparison::of(&wrenches, measured, &on)),
             wrenches,
             foot: foot.clone(),
         }

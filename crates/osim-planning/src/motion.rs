@@ -83,7 +83,7 @@ pub(crate) fn run_opened(
     let selected = request.choice.selection().apply(&opened.model).map_err(|fault| opened.failure(fault))?;
     let belt = belt_of_motion(motion, &table, request.belt, request.belt_column.as_deref())?;
     let states =
-        ContactStates::of(&opened.model, &recording, &selected.forces, belt.clone().unwrap_or_default())
+        ContactStates::of(&opened.model, &recording, &selected.forces, &belt.clone().unwrap_or_default())
             .map_err(|error| match error {
                 StatesError::Motion(fault) => failure(motion, &fault),
                 StatesError::Model(fault) => opened.failure(*fault),

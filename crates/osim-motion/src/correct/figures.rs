@@ -76,7 +76,7 @@ impl CorrectionFigures {
                     Wrench::from_states(foot.pairs.iter().filter_map(|&pair| states.get(pair)))
                 };
                 let wrenches: Vec<Wrench> = (0..plates.len()).map(wrench).collect();
-                Comparison::of(&wrenches, plates, &on, |_| true)
+                Comparison::of(&wrenches, plates, &on)
             };
             let errors = |compared: &Option<Comparison>| {
                 let error_bw = |of: fn(&Comparison) -> f64| compared.as_ref().map_or(0.0, of) / weight_n;

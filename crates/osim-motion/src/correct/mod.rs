@@ -405,7 +405,7 @@ mod tests {
         }
         let recording =
             Recording::of(model, &Table::read(text.as_bytes()).unwrap(), &RecordingOptions::default())?;
-        let states = ContactStates::of(model, &recording, &model.force_ids(), [0.0; 3])?;
+        let states = ContactStates::of(model, &recording, &model.force_ids(), &Belt::default())?;
         Ok((recording, states))
     }
 

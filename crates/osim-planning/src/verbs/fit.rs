@@ -125,7 +125,7 @@ impl FitPlanner {
     ) -> Result<(Recording, ContactStates, Vec<Foot>), Fault> {
         let recording = Recording::of(model, &trial.table, &trial.options)
             .map_err(|fault| Fault::refused(format!("{}: {}", trial.name, fault.message)))?;
-        let states = ContactStates::of(model, &recording, &selected.forces, trial.belt.clone())
+        let states = ContactStates::of(model, &recording, &selected.forces, &trial.belt)
             .map_err(|error| fault_of_states(&trial.name, error))?;
         let feet = Foot::all(model, &states, &selected.forces);
         Ok((recording, states, feet))
