@@ -4,7 +4,7 @@ use foldhash::HashMap;
 use osim_model::{Body, Fault, FaultKind, HalfSpace, Model, Note, Property, Result, SphereId};
 
 use crate::edit::model_with_edits;
-use crate::objects::nodes::{self, ForceValues, NamesInList, ParentFrame};
+use crate::objects::nodes::{self, NamesInList};
 use crate::objects::rebuilt::{
     EarlierNote, ObjectAction, ObjectChange, RebuiltModel, TakenNames, refuse_non_utf8_name,
 };
@@ -48,7 +48,6 @@ pub fn add_contacts(model: &Model, layout: &mut ContactLayout) -> Result<Rebuilt
     layout.check()?;
     let (mut names, list) = (TakenNames::of(model), NamesInList::of(model));
     let document = model.document();
-    let version = document.version();
     let (made_floor, plane) = match find_floor(model)? {
         Some(own) => (None, own.path),
         None => {
@@ -64,7 +63,7 @@ pub fn add_contacts(model: &Model, layout: &mut ContactLayout) -> Result<Rebuilt
     let added =
         |class, of: [&str; 2], body: Option<&str>| ObjectChange::new(ObjectAction::Added, class, of, body);
     if let Some(name) = &made_floor {
-        geometry.push(nodes::floor(version, name, model.up().into())?);
+        geometry.push(nodes::floor(document, name, model.up().into())?);
         objects.push(added("ContactHalfSpace", [name, &plane], None));
     }
     let mut force_objects = Vec::new();
@@ -85,13 +84,13 @@ pub fn add_contacts(model: &Model, layout: &mut ContactLayout) -> Result<Rebuilt
         contact.sphere = names.reserve(&contact.sphere)?;
         contact.force = names.reserve(&contact.force)?;
         let sphere = format!("/contactgeometryset/{}", contact.sphere);
-        let parent_frame = ParentFrame { name: &body.name, path: &body.path };
-        geometry.push(nodes::sphere_element(version, &parent_frame, contact)?);
+        let frame = nodes::frame_element(document, &body.name, &body.path);
+        geometry.push(nodes::sphere_element(frame, contact)?);
         objects.push(added("ContactSphere", [&contact.sphere, &sphere], Some(&contact.body)));
         let origin = |_: Property| format!("the numbers that {} is to have", contact.force);
-        let values = ForceValues { numbers: &contact.values, origin: &origin };
+        let values = (contact.values.as_slice(), &origin as &dyn Fn(Property) -> String);
         let surfaces: [&str; 2] = [&sphere, &plane];
-        forces.push(nodes::force(document, contact.kind, &contact.force, surfaces, &values, true, &list)?);
+        forces.push(nodes::force(document, contact.kind, &contact.force, surfaces, values, true, &list)?);
         let path = format!("/forceset/{}", contact.force);
         force_objects.push(added(contact.kind.as_str(), [&contact.force, &path], Some(&contact.body)));
     }

@@ -12,7 +12,7 @@ use crate::builder::refuse_included;
 use crate::edit::{Edit, model_with_edits};
 use crate::insert::{indentation_unit, white_space_before};
 use crate::objects::layout::{ContactLayout, NewContact, SpherePlanePair, sphere_plane_pairs};
-use crate::objects::nodes::{self, ForceValues, NamesInList, SurfacesInsideForces};
+use crate::objects::nodes::{self, NamesInList, SurfacesInsideForces};
 use crate::objects::rebuilt::{ObjectAction, ObjectChange, RebuiltModel, TakenNames, refuse_non_utf8_name};
 use crate::objects::sets::{GEOMETRY_SET, refuse_partial_model};
 use crate::rules;
@@ -269,8 +269,8 @@ fn divide_force(
         }
         let surfaces: [&str; 2] = [&sphere_path, &plane_path];
         let origin = |property: Property| value_origin(property, sphere, pair);
-        let written = ForceValues { numbers: &values, origin: &origin };
-        let node = nodes::force(document, wanted.to, &name, surfaces, &written, force.applies, list);
+        let written = (values.as_slice(), &origin as &dyn Fn(Property) -> String);
+        let node = nodes::force(document, wanted.to, &name, surfaces, written, force.applies, list);
         let node = node.map_err(|fault| Fault::at(fault.kind, span.start).at_element(force.path.clone()))?;
         text.push_str(&node.text(&space, unit));
         let path = format!("{}/{name}", force.path.rsplit_once('/').map_or("", |(set, _)| set));

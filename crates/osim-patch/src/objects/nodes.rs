@@ -14,24 +14,13 @@ use crate::{NewContact, change};
 /// `body_name` from this version on.
 const FIRST_WITH_SOCKET_FRAME: u32 = 30505;
 
-/// The body or ground to which contact geometry is attached, or an offset frame on it.
-pub(super) struct ParentFrame<'c> {
-    pub(super) name: &'c str,
-    /// Component path of the frame.
-    pub(super) path: &'c str,
-}
-
-/// Ground as the frame of new geometry.
-const GROUND_FRAME: ParentFrame<'static> = ParentFrame { name: "ground", path: "/ground" };
-
-impl ParentFrame<'_> {
-    /// The element that attaches geometry to this frame, in the form of the document's version.
-    fn node(&self, version: u32) -> NewElement {
-        if version < FIRST_WITH_SOCKET_FRAME {
-            NewElement::leaf("body_name", escaped_attribute(self.name))
-        } else {
-            NewElement::leaf("socket_frame", escaped_attribute(self.path))
-        }
+/// The element that attaches contact geometry to `body`, a body or ground, or to the frame with this component `path` on it, in the form
+/// of the document's version.
+pub(super) fn frame_element(document: &Document, body: &str, path: &str) -> NewElement {
+    if document.version() < FIRST_WITH_SOCKET_FRAME {
+        NewElement::leaf("body_name", escaped_attribute(body))
+    } else {
+        NewElement::leaf("socket_frame", escaped_attribute(path))
     }
 }
 
@@ -44,46 +33,36 @@ fn triple_element(tag: &str, values: [f64; 3], name: &str) -> Result<NewElement>
 }
 
 /// The element `<ContactSphere>` of a new contact.
-pub(super) fn sphere_element(
-    version: u32,
-    parent_frame: &ParentFrame<'_>,
-    contact: &NewContact,
-) -> Result<NewElement> {
+pub(super) fn sphere_element(frame: NewElement, contact: &NewContact) -> Result<NewElement> {
     let name = contact.sphere.as_str();
     let place = triple_element("location", contact.location_m, name)?;
     let radius = change::number_text(contact.radius_m, Property::Radius, || {
         format!("the radius that {name} is to have")
     });
     let radius = NewElement::leaf("radius", radius.map_err(|fault| fault.at_element(name))?);
-    let properties = vec![parent_frame.node(version), place, radius];
+    let properties = vec![frame, place, radius];
     Ok(NewElement::object(Class::ContactSphere.as_str(), name, properties))
 }
 
 /// The element `<ContactHalfSpace>` with a location (m) and three angles (rad).
 fn half_space_element(
-    version: u32,
-    parent_frame: &ParentFrame<'_>,
+    frame: NewElement,
     name: &str,
     [location_m, angles_rad]: [[f64; 3]; 2],
 ) -> Result<NewElement> {
     let place = triple_element("location", location_m, name)?;
     let turned = triple_element("orientation", angles_rad, name)?;
-    Ok(NewElement::object("ContactHalfSpace", name, vec![parent_frame.node(version), place, turned]))
+    Ok(NewElement::object("ContactHalfSpace", name, vec![frame, place, turned]))
 }
 
 /// The element `<ContactHalfSpace>` through the origin of ground; its normal points along `up`.
-pub(super) fn floor(version: u32, name: &str, up: [f64; 3]) -> Result<NewElement> {
-    half_space_element(version, &GROUND_FRAME, name, [[0.0; 3], Orientation::facing(up)])
-}
-
-/// Parameters of a new force, and the source of each in words.
-pub(super) struct ForceValues<'v> {
-    pub(super) numbers: &'v [(Property, f64)],
-    pub(super) origin: &'v dyn Fn(Property) -> String,
+pub(super) fn floor(document: &Document, name: &str, up: [f64; 3]) -> Result<NewElement> {
+    let ground = frame_element(document, "ground", "/ground");
+    half_space_element(ground, name, [[0.0; 3], Orientation::facing(up)])
 }
 
 /// The element of a force of `kind` between one sphere and one half-space, which are given by their component paths, with the given
-/// values. The `<defaults>` of `document` must not change the force: for a property that is in the defaults and not in `values`,
+/// values; `origin` says in words where each comes from. The `<defaults>` of `document` must not change the force: for a property that is in the defaults and not in `values`,
 /// OpenSim's own default is written. The list of a `HuntCrossleyForce` calls the surfaces by `names`.
 ///
 /// # Errors
@@ -93,17 +72,17 @@ pub(super) fn force(
     kind: ForceKind,
     name: &str,
     [sphere, plane]: [&str; 2],
-    values: &ForceValues<'_>,
+    (values, origin): (&[(Property, f64)], &dyn Fn(Property) -> String),
     applies: bool,
     names: &NamesInList,
 ) -> Result<NewElement> {
     let values_of = |class: Class| {
         let value = |property: Property| {
-            let given = values.numbers.iter().find(|(known, _)| *known == property).map(|(_, value)| *value);
+            let given = values.iter().find(|(known, _)| *known == property).map(|(_, value)| *value);
             given.or_else(|| has_default(document, class, property.as_str()).then(|| class.default(property)))
         };
         let leaf = |&property: &Property| {
-            let text = change::number_text(value(property)?, property, || (values.origin)(property));
+            let text = change::number_text(value(property)?, property, || origin(property));
             let leaf = text.map(|text| NewElement::leaf(property.as_str(), text));
             Some(leaf.map_err(|fault| fault.at_element(name)))
         };
@@ -217,10 +196,10 @@ impl SurfacesInsideForces {
         contact.sphere = names.reserve(&format!("{}_sphere", force.name))?;
         contact.location_m = sphere.location_m;
         contact.radius_m = sphere.radius_m()?;
-        let parent_frame =
-            ParentFrame { name: sphere.body.as_deref().unwrap_or("ground"), path: &sphere.frame };
-        self.geometry.push(sphere_element(model.document().version(), &parent_frame, &contact)?);
-        Ok(self.record_added("ContactSphere", &contact.sphere, sphere.body.as_deref()))
+        let body = sphere.body.as_deref();
+        let frame = frame_element(model.document(), body.unwrap_or("ground"), &sphere.frame);
+        self.geometry.push(sphere_element(frame, &contact)?);
+        Ok(self.record_added("ContactSphere", &contact.sphere, body))
     }
 
     /// Moves the half-space inside a force to the geometry set, and returns its new path.
@@ -241,11 +220,10 @@ impl SurfacesInsideForces {
             return Ok(path.clone());
         }
         let name = names.reserve(if plane.on_ground { "floor" } else { "half_space" })?;
-        let parent_frame =
-            ParentFrame { name: plane.body.as_deref().unwrap_or("ground"), path: &plane.frame_path };
-        let version = model.document().version();
-        self.geometry.push(half_space_element(version, &parent_frame, &name, [location_m, angles_rad])?);
-        let path = self.record_added("ContactHalfSpace", &name, plane.body.as_deref());
+        let body = plane.body.as_deref();
+        let frame = frame_element(model.document(), body.unwrap_or("ground"), &plane.frame_path);
+        self.geometry.push(half_space_element(frame, &name, [location_m, angles_rad])?);
+        let path = self.record_added("ContactHalfSpace", &name, body);
         self.planes.insert(key, path.clone());
         Ok(path)
     }
