@@ -19,7 +19,7 @@ SCHEMA = re.compile(r"\]\(\.\./\.\./(?P<path>schemas/[^)]*\.json)\)")
 EVERYWHERE = ("schema_version", "_bytes")
 
 #: Records that the first table of the page has, and what they are called there.
-SHARED = {"FindingRecord": "finding", "ContactsMass": "mass", "Dimensionless": "dimensionless", "DimensionlessRecord": "dimensionless"}
+SHARED = {"FindingRecord": "finding", "ContactsMass": "mass", "Dimensionless": "dimensionless"}
 
 
 def on_page_markdown(markdown, page, config, files):

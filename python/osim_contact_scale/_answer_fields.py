@@ -158,7 +158,7 @@ class DesignLimit(TypedDict):
     within_limit: bool
 
 
-class DimensionlessRecord(TypedDict):
+class Dimensionless(TypedDict):
     modulus: float
     relative_indentation: float
     dissipation: float
@@ -318,7 +318,7 @@ class PresetFields:
     constant_contact_force: float | None
     hertz_smoothing: float | None
     hunt_crossley_smoothing: float | None
-    dimensionless: DimensionlessRecord
+    dimensionless: Dimensionless
 
 
 class ReproductionFields:

@@ -10,7 +10,7 @@ mod motion_record;
 use std::path::Path;
 
 use contact_scaling::{DimensionlessContact, Preset};
-use osim_inspect::SCHEMA_VERSION;
+use osim_inspect::{Dimensionless, SCHEMA_VERSION};
 use osim_model::files::FileName;
 use osim_model::messages::{four_significant, readable};
 use osim_planning::{DesignQuantity, DesignSheet};
@@ -55,23 +55,7 @@ osim_inspect::json_records! {
         /// OpenSim's `hunt_crossley_smoothing`, s/m.
         hunt_crossley_smoothing: Option<f64> = preset.contact.smoothing().map(|smoothing| smoothing.hunt_crossley_smoothing),
         /// The preset's contacts without dimensions.
-        dimensionless: DimensionlessRecord = (&DimensionlessContact::of(&preset.contact, &preset.scale)).into(),
-    }
-
-    /// A contact without dimensions.
-    DimensionlessRecord from contact: &DimensionlessContact {
-        /// E* R² n / (M g).
-        modulus: f64 = contact.modulus(),
-        /// x̂ of a sphere under its share of the body weight, by the Hertz law (11).
-        relative_indentation: f64 = contact.relative_indentation(),
-        /// Dimensionless dissipation α √(g R).
-        dissipation: f64 = contact.dissipation(),
-        /// √cf / R (C.2).
-        constant_indentation: Option<f64> = contact.constant_indentation(),
-        /// Dimensionless Hertz smoothing bd R.
-        hertz_smoothing: Option<f64> = contact.hertz_smoothing(),
-        /// Dimensionless Hunt–Crossley smoothing bv √(g R).
-        hunt_crossley_smoothing: Option<f64> = contact.hunt_crossley_smoothing(),
+        dimensionless: Dimensionless = (&DimensionlessContact::of(&preset.contact, &preset.scale)).into(),
     }
 }
 
