@@ -26,15 +26,8 @@ use crate::{Contact, ContactValues, SURFACE_OVER_COMPOSITE_MODULUS, Scale, Smoot
 pub struct DimensionlessContact {
     modulus: f64,
     dissipation: f64,
-    smoothing: Option<DimensionlessSmoothing>,
-}
-
-/// The smoothing parameters of a contact without dimension: √cf / R, bd R and bv √(g R).
-#[derive(Debug, Clone, Copy, PartialEq)]
-struct DimensionlessSmoothing {
-    constant_indentation: f64,
-    hertz_smoothing: f64,
-    hunt_crossley_smoothing: f64,
+    /// √cf / R, bd R and bv √(g R).
+    smoothing: Option<[f64; 3]>,
 }
 
 impl DimensionlessContact {
@@ -45,10 +38,9 @@ impl DimensionlessContact {
         Self {
             modulus: contact.composite_modulus() * radius * radius / scale.load_per_sphere_n(),
             dissipation: contact.dissipation() * speed,
-            smoothing: contact.smoothing().map(|s| DimensionlessSmoothing {
-                constant_indentation: s.constant_contact_force.sqrt() / radius,
-                hertz_smoothing: s.hertz_smoothing * radius,
-                hunt_crossley_smoothing: s.hunt_crossley_smoothing * speed,
+            smoothing: contact.smoothing().map(|s| {
+                let constant_indentation = s.constant_contact_force.sqrt() / radius;
+                [constant_indentation, s.hertz_smoothing * radius, s.hunt_crossley_smoothing * speed]
             }),
         }
     }
@@ -65,17 +57,17 @@ impl DimensionlessContact {
 
     /// x̂_c = √cf / R; `None` for a law without smoothing.
     pub fn constant_indentation(&self) -> Option<f64> {
-        self.smoothing.map(|s| s.constant_indentation)
+        self.smoothing.map(|[constant_indentation, ..]| constant_indentation)
     }
 
     /// b_x̂ = bd R; `None` for a law without smoothing.
     pub fn hertz_smoothing(&self) -> Option<f64> {
-        self.smoothing.map(|s| s.hertz_smoothing)
+        self.smoothing.map(|[_, hertz_smoothing, _]| hertz_smoothing)
     }
 
     /// bv √(g R); `None` for a law without smoothing.
     pub fn hunt_crossley_smoothing(&self) -> Option<f64> {
-        self.smoothing.map(|s| s.hunt_crossley_smoothing)
+        self.smoothing.map(|[.., hunt_crossley_smoothing]| hunt_crossley_smoothing)
     }
 
     /// Relative indentation x̂ under body weight by the Hertz law: (3 / (4 Ê))^(2/3).
@@ -92,11 +84,7 @@ impl DimensionlessContact {
         let close = |a: f64, b: f64| (a - b).abs() <= rel_tol * a.abs().max(b.abs());
         let smoothing = match (self.smoothing, other.smoothing) {
             (None, None) => true,
-            (Some(a), Some(b)) => {
-                close(a.constant_indentation, b.constant_indentation)
-                    && close(a.hertz_smoothing, b.hertz_smoothing)
-                    && close(a.hunt_crossley_smoothing, b.hunt_crossley_smoothing)
-            }
+            (Some(a), Some(b)) => a.into_iter().zip(b).all(|(a, b)| close(a, b)),
             _ => false,
         };
         smoothing && close(self.modulus, other.modulus) && close(self.dissipation, other.dissipation)
@@ -112,10 +100,10 @@ impl DimensionlessContact {
             plane_strain_modulus: self.modulus * SURFACE_OVER_COMPOSITE_MODULUS * scale.load_per_sphere_n()
                 / (radius * radius),
             dissipation: self.dissipation / speed,
-            smoothing: self.smoothing.map(|s| SmoothingValues {
-                constant_contact_force: (s.constant_indentation * radius) * (s.constant_indentation * radius),
-                hertz_smoothing: s.hertz_smoothing / radius,
-                hunt_crossley_smoothing: s.hunt_crossley_smoothing / speed,
+            smoothing: self.smoothing.map(|[depth, hertz, hunt_crossley]| SmoothingValues {
+                constant_contact_force: (depth * radius) * (depth * radius),
+                hertz_smoothing: hertz / radius,
+                hunt_crossley_smoothing: hunt_crossley / speed,
             }),
         })
     }
