@@ -66,8 +66,6 @@ pub struct RecordingFacts {
     pub jump: Option<(String, f64)>,
     /// Coordinates that a coupler computes from other coordinates.
     pub coupled: Vec<String>,
-    /// Whether the table has the speed of every coordinate whose value it has.
-    pub speeds_given: bool,
     /// Constraints of the model that this program ignores.
     pub unenforced: Vec<String>,
 }
@@ -101,7 +99,6 @@ impl Recording {
                 outside: Vec::new(),
                 jump: None,
                 coupled: Vec::new(),
-                speeds_given: are_given(&columns),
                 unenforced: Vec::new(),
             },
             values: vec![0.0; table.rows() * coordinates.len()],

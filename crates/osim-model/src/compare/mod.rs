@@ -81,8 +81,6 @@ pub struct PlacedSphere {
     /// Place of the sphere's element.
     pub position: TextPosition,
     pub here_m: [f64; 3],
-    /// Place of the sphere in the unscaled model.
-    pub was_m: [f64; 3],
     /// The right place of the sphere: its place in the unscaled model times the factors of its body; the bottom of a round sphere, whose
     /// radius follows the mass (the body, if a mass is not known), stays on the scaled sole.
     pub belongs_m: [f64; 3],
@@ -255,7 +253,6 @@ fn placed_spheres(
             path: sphere.path.clone(),
             position: sphere.position,
             here_m,
-            was_m: old.location_m,
             belongs_m,
             follows: expected_m.into_iter().any(|place_m| is_at(place_m, tolerance_m)),
             untouched: now.is_as_in(old),

@@ -81,9 +81,6 @@ const TRANSITION_FACTORS_OF_STAGES: [f64; 8] = [0.0, 0.0, 0.0, 0.0, 10.0, 10.0, 
 /// The index of the last stage of the search for a correction. Later passes have only this stage.
 const LAST_STAGE: usize = 7;
 
-/// The relative decrease of the cost at which a stage ends.
-const SMALLEST_DECREASE: f64 = 1e-3;
-
 /// The contacts are read along the corrected motion at least this many times.
 const LEAST_PASSES: usize = 2;
 /// The contacts are read along the corrected motion at most this many times.
@@ -263,13 +260,13 @@ impl Search<'_> {
                 let (soft_m, transition) =
                     (SOFT_DEPTHS_OF_STAGES_M[stage], TRANSITION_FACTORS_OF_STAGES[stage]);
                 problem.stage = Stage { soft_m, transition, has_two_floors: false };
-                cost = minimise(&problem, unknowns, SMALLEST_DECREASE);
+                cost = minimise(&problem, unknowns);
             }
             pass += 1;
             if ends || pass == MOST_PASSES {
                 problem.stage.has_two_floors = true;
                 let (mut apart, before) = (unknowns.clone(), problem.cost(unknowns));
-                let after = minimise(&problem, &mut apart, SMALLEST_DECREASE);
+                let after = minimise(&problem, &mut apart);
                 return Ok((apart[setting.coefficients() + 3], after / before));
             }
         }

@@ -205,9 +205,11 @@ impl<'s> StageProblem<'s> {
 
 /// The largest number of Gauss-Newton steps in one search.
 const MOST_STEPS: usize = 40;
+/// The relative decrease of the cost at which a stage ends.
+const SMALLEST_DECREASE: f64 = 1e-3;
 
 /// Makes the cost small by damped Gauss-Newton steps, until it decreases by less than a part of itself, and returns it.
-pub(super) fn minimise(problem: &StageProblem<'_>, unknowns: &mut Vec<f64>, smallest_decrease: f64) -> f64 {
+pub(super) fn minimise(problem: &StageProblem<'_>, unknowns: &mut Vec<f64>) -> f64 {
     let (mut cost, mut damping) = (problem.cost(unknowns), 1e-4);
     for _ in 0..MOST_STEPS {
         let equations = problem.normal_equations(unknowns);
@@ -223,7 +225,7 @@ pub(super) fn minimise(problem: &StageProblem<'_>, unknowns: &mut Vec<f64>, smal
             }
             damping *= 8.0;
         }
-        if decrease <= smallest_decrease * cost {
+        if decrease <= SMALLEST_DECREASE * cost {
             break;
         }
     }

@@ -91,26 +91,16 @@ impl MeshSurface {
 /// The largest number of points of a mesh.
 pub(super) const MOST_POINTS: usize = 2_000_000;
 
-/// Groups the numbers in `words` by three. `what` names the numbers in error messages.
-pub(super) fn number_triples<'t>(
-    words: impl Iterator<Item = &'t str>,
-    what: &'static str,
-) -> Result<Vec<[f64; 3]>> {
+/// The numbers in `words`, three for each point.
+pub(super) fn number_triples<'t>(words: impl Iterator<Item = &'t str>) -> Result<Vec<[f64; 3]>> {
+    let what = "the points";
     let mut points = Vec::new();
-    let mut point = [0.0; 3];
-    let mut filled = 0;
-    for word in words {
-        let value = parse_number(word, what)?;
-        if let Some(slot) = point.get_mut(filled) {
-            *slot = value;
-        }
-        filled += 1;
-        if filled == point.len() {
-            add(&mut points, point)?;
-            filled = 0;
-        }
+    let mut numbers = words.map(|word| parse_number(word, what));
+    while let Some(first) = numbers.next() {
+        let mut next = || numbers.next().ok_or(MeshFault::Truncated(what))?;
+        add(&mut points, [first?, next()?, next()?])?;
     }
-    if filled == 0 { Ok(points) } else { Err(MeshFault::Truncated(what)) }
+    Ok(points)
 }
 
 pub(super) fn parse_number(word: &str, what: &str) -> Result<f64> {

@@ -117,7 +117,7 @@ fn read_array(tree: &Tree, array: ElementId, coding: &Coding<'_>) -> Result<Vec<
         return Err(MeshFault::NotUnderstood(fault));
     }
     match array_content(tree, array, coding)? {
-        ArrayContent::Text(text) => number_triples(words(&text), "the points"),
+        ArrayContent::Text(text) => number_triples(words(&text)),
         ArrayContent::Bytes(bytes) => read_points(&bytes, &attribute("type"), coding),
     }
 }
