@@ -75,26 +75,16 @@ pub(crate) struct CoordinateColumns<'t> {
     pub(crate) speed: Option<&'t Column>,
 }
 
-/// The parts of a column's name: joint, coordinate and quantity.
-#[derive(Debug, PartialEq)]
-struct ColumnLabel<'l> {
-    joint: Option<&'l str>,
-    coordinate: &'l str,
-    is_speed: bool,
-}
-
-impl<'l> ColumnLabel<'l> {
-    /// Reads names such as `/jointset/J/C/value`, `J/C/speed` or `C`.
-    fn read(name: &'l str) -> Self {
-        let (path, is_speed) = match name.rsplit_once('/') {
-            Some((path, "value")) => (path, false),
-            Some((path, "speed")) => (path, true),
-            _ => (name, false),
-        };
-        let mut parts = path.rsplit('/');
-        let coordinate = parts.next().unwrap_or_default();
-        Self { joint: parts.next().filter(|joint| !joint.is_empty()), coordinate, is_speed }
-    }
+/// The joint and the coordinate in a column's name, such as `/jointset/J/C/value`, `J/C/speed` or `C`, and whether it is a speed.
+fn read_column_name(name: &str) -> (Option<&str>, &str, bool) {
+    let (path, is_speed) = match name.rsplit_once('/') {
+        Some((path, "value")) => (path, false),
+        Some((path, "speed")) => (path, true),
+        _ => (name, false),
+    };
+    let mut parts = path.rsplit('/');
+    let coordinate = parts.next().unwrap_or_default();
+    (parts.next().filter(|joint| !joint.is_empty()), coordinate, is_speed)
 }
 
 /// The columns of each of `coordinates`, and the names of the columns without a coordinate.
@@ -109,13 +99,13 @@ pub(crate) fn columns_by_coordinate<'t>(
     let mut columns = vec![CoordinateColumns::default(); coordinates.len()];
     let mut unused = Vec::new();
     for column in &table.columns {
-        let label = ColumnLabel::read(&column.name);
-        let (at, is_speed) = match by_name.get(label.coordinate) {
-            Some(named) => (coordinate_in_joint(coordinates, named, label.joint), label.is_speed),
+        let (joint, coordinate, is_speed) = read_column_name(&column.name);
+        let (at, is_speed) = match by_name.get(coordinate) {
+            Some(named) => (coordinate_in_joint(coordinates, named, joint), is_speed),
             // States of OpenSim 3 have speeds as `C_u`.
             None => {
-                let plain = label.coordinate.strip_suffix("_u").and_then(|name| by_name.get(name));
-                (plain.and_then(|named| coordinate_in_joint(coordinates, named, label.joint)), true)
+                let plain = coordinate.strip_suffix("_u").and_then(|name| by_name.get(name));
+                (plain.and_then(|named| coordinate_in_joint(coordinates, named, joint)), true)
             }
         };
         let Some(place) = at.and_then(|index| columns.get_mut(index)) else {
@@ -154,10 +144,7 @@ mod tests {
 
     #[test]
     fn names_of_columns_are_read() {
-        let label = |name| {
-            let ColumnLabel { joint, coordinate, is_speed } = ColumnLabel::read(name);
-            (joint, coordinate, is_speed)
-        };
+        let label = read_column_name;
         assert_eq!(label("/jointset/hip_r/hip_flexion_r/value"), (Some("hip_r"), "hip_flexion_r", false));
         assert_eq!(label("hip_r/hip_flexion_r/speed"), (Some("hip_r"), "hip_flexion_r", true));
         assert_eq!(label("hip_flexion_r"), (None, "hip_flexion_r", false));

@@ -1,7 +1,7 @@
 //! Directions of a foot (down and forward), and centres of pressure on its sole.
 
 use osim_model::feet::{DefaultPose, PoseFault, ViewAxes};
-use osim_model::{DVec3, Model, Side};
+use osim_model::{DVec2, DVec3, Model, Side};
 
 use crate::{ContactStates, FootSummary, TOUCH_DOWN_BW, Wrench};
 
@@ -81,19 +81,19 @@ impl PressureOnSole {
         let normal = states.frame(0).get(first).map_or(DVec3::Y, |state| state.normal);
         let forward = project_on_floor(forward_direction(across, normal), normal);
         let axes = [forward, forward.cross(normal)];
-        let flat = |point_m: DVec3| axes.map(|axis| axis.dot(point_m));
+        let flat = |point_m: DVec3| DVec2::from(axes.map(|axis| axis.dot(point_m)));
         let mut spheres_m = Vec::new();
         for pair in &pairs {
             spheres_m.push(flat(pose.placement(&pair.body)?.point(pair.centre_m)));
         }
         let middle_m = mean_point(&spheres_m);
-        spheres_m.iter_mut().for_each(|place| *place = difference_of_points(*place, middle_m));
+        spheres_m.iter_mut().for_each(|place| *place -= middle_m);
         let in_foot = |frame: usize, wrench: &Wrench| {
             let contacts = foot.foot.contacts(states, frame);
-            let places: Vec<[f64; 2]> = contacts.map(|state| flat(state.centre_m)).collect();
+            let places: Vec<DVec2> = contacts.map(|state| flat(state.centre_m)).collect();
             let on_plane_m = states.frame(frame).get(first)?.on_surface_m(pairs.first()?.radius_m);
             let centre = wrench.centre_of_pressure(normal, on_plane_m, TOUCH_DOWN_BW * weight_n)?;
-            Some(in_foot_axes(&spheres_m, &places, flat(centre.point_m)))
+            Some(in_foot_axes(&spheres_m, &places, flat(centre.point_m)).to_array())
         };
         let each = |wrenches: &mut dyn Iterator<Item = Option<Wrench>>| {
             wrenches.enumerate().map(|(frame, one)| in_foot(frame, &one?)).collect::<Vec<_>>()
@@ -102,7 +102,7 @@ impl PressureOnSole {
         Ok(Self {
             model_m: each(&mut foot.wrenches.iter().copied().map(Some)),
             measured_m: each(&mut plates.iter().copied()),
-            spheres_m,
+            spheres_m: spheres_m.iter().map(DVec2::to_array).collect(),
         })
     }
 
@@ -110,38 +110,30 @@ impl PressureOnSole {
     /// which both are known.
     pub fn mean_difference_m(&self) -> Option<[f64; 2]> {
         let both = self.model_m.iter().zip(&self.measured_m);
-        let differences: Vec<[f64; 2]> =
-            both.filter_map(|(own, plate)| Some(difference_of_points((*own)?, (*plate)?))).collect();
-        (!differences.is_empty()).then(|| mean_point(&differences))
+        let differences: Vec<DVec2> =
+            both.filter_map(|(own, plate)| Some(DVec2::from((*own)?) - DVec2::from((*plate)?))).collect();
+        (!differences.is_empty()).then(|| mean_point(&differences).to_array())
     }
 }
 
 /// A point of the floor in the axes of a foot. The spheres are at `now` in ground, and at `before` (around 0) in the axes of the
 /// foot; the rotation between them is found by least squares.
-fn in_foot_axes(before: &[[f64; 2]], now: &[[f64; 2]], point: [f64; 2]) -> [f64; 2] {
+fn in_foot_axes(before: &[DVec2], now: &[DVec2], point: DVec2) -> DVec2 {
     let middle = mean_point(now);
     let (mut along, mut across) = (0.0, 0.0);
     for (old, new) in before.iter().zip(now) {
-        let new = difference_of_points(*new, middle);
-        along += old[0] * new[0] + old[1] * new[1];
-        across += old[0] * new[1] - old[1] * new[0];
+        let new = *new - middle;
+        along += old.dot(new);
+        across += old.perp_dot(new);
     }
-    let length = libm::sqrt(along * along + across * across);
+    let back = DVec2::new(along, -across);
     // One sphere alone has no direction.
-    let (cosine, sine) = if length > 0.0 { (along / length, across / length) } else { (1.0, 0.0) };
-    let [ahead, right] = difference_of_points(point, middle);
-    [cosine * ahead + sine * right, cosine * right - sine * ahead]
+    let back = if back.length() > 0.0 { back / back.length() } else { DVec2::X };
+    back.rotate(point - middle)
 }
 
-/// One point minus the other.
-fn difference_of_points(one: [f64; 2], other: [f64; 2]) -> [f64; 2] {
-    [one[0] - other[0], one[1] - other[1]]
-}
-
-fn mean_point(places: &[[f64; 2]]) -> [f64; 2] {
-    let count = places.len().max(1) as f64;
-    let sum = |axis: usize| places.iter().filter_map(|place| place.get(axis)).sum::<f64>() / count;
-    [sum(0), sum(1)]
+fn mean_point(places: &[DVec2]) -> DVec2 {
+    places.iter().sum::<DVec2>() / places.len().max(1) as f64
 }
 
 #[cfg(test)]
@@ -150,16 +142,17 @@ mod tests {
 
     #[test]
     fn a_foot_that_turns_and_moves_keeps_its_points() {
-        let sole = [[0.1, 0.02], [-0.1, 0.0], [0.0, -0.02]];
+        let sole = [[0.1, 0.02], [-0.1, 0.0], [0.0, -0.02]].map(DVec2::from);
         let turn = 0.4_f64;
-        let there = |[x, y]: [f64; 2]| {
-            [3.0 + turn.cos() * x - turn.sin() * y, -1.0 + turn.sin() * x + turn.cos() * y]
+        let there = |at: DVec2| {
+            let (x, y) = (at.x, at.y);
+            DVec2::new(3.0 + turn.cos() * x - turn.sin() * y, -1.0 + turn.sin() * x + turn.cos() * y)
         };
         let now = sole.map(there);
-        let seen = in_foot_axes(&sole, &now, there([0.05, 0.01]));
-        assert!((seen[0] - 0.05).abs() < 1e-12 && (seen[1] - 0.01).abs() < 1e-12, "{seen:?}");
+        let seen = in_foot_axes(&sole, &now, there(DVec2::new(0.05, 0.01)));
+        assert!((seen.x - 0.05).abs() < 1e-12 && (seen.y - 0.01).abs() < 1e-12, "{seen:?}");
         // One sphere: the floor's own axes.
-        let seen = in_foot_axes(&[[0.0; 2]], &[[2.0, 1.0]], [2.1, 1.2]);
-        assert!((seen[0] - 0.1).abs() < 1e-12 && (seen[1] - 0.2).abs() < 1e-12, "{seen:?}");
+        let seen = in_foot_axes(&[DVec2::ZERO], &[DVec2::new(2.0, 1.0)], DVec2::new(2.1, 1.2));
+        assert!((seen.x - 0.1).abs() < 1e-12 && (seen.y - 0.2).abs() < 1e-12, "{seen:?}");
     }
 }
