@@ -1,8 +1,8 @@
 //! Many models in one table: a row for each model, and as many columns as fit into a line.
 
 use osim_inspect::{Counts, Figure, InspectedForce, Inspection, SphereFigures};
-use osim_model::Property;
 use osim_model::messages::{Dialect, Phrase, counted, four_significant, named, shown, three_significant};
+use osim_model::{Property, least_and_most};
 
 use crate::report::layout::{
     Colour, OUTSIDE_MARK, WIDTH, colour_marks, shorten, table, wrapped, wrapped_with_path,
@@ -267,25 +267,19 @@ fn class_of_forces(inspected: &Inspection) -> &'static str {
     }
 }
 
-/// The value of a figure, and whether it is within its limit.
-struct JudgedFigure {
-    value: f64,
-    within: bool,
-}
-
-/// x̂ of a sphere under one body weight, by the law of its force's class.
-fn indentation_at_rest(sphere: &SphereFigures) -> Option<JudgedFigure> {
+/// x̂ of a sphere under one body weight, by the law of its force's class, and whether it is within its limit.
+fn indentation_at_rest(sphere: &SphereFigures) -> Option<(f64, bool)> {
     let known = [Figure::IndentationModelLaw, Figure::Indentation];
     let figure = known.into_iter().find(|&figure| sphere.value(figure).is_some())?;
-    Some(JudgedFigure { value: sphere.value(figure)?, within: sphere.is_within(figure) != Some(false) })
+    Some((sphere.value(figure)?, sphere.is_within(figure) != Some(false)))
 }
 
 /// The restitution by the contact law itself, judged by the limit that the paper gives with (13), so that the mark is about the number
 /// beside it.
-fn judged_restitution(sphere: &SphereFigures) -> Option<JudgedFigure> {
+fn judged_restitution(sphere: &SphereFigures) -> Option<(f64, bool)> {
     let value = sphere.value(Figure::RestitutionExact)?;
     let limit = Figure::RestitutionApproximate.info().limit;
-    Some(JudgedFigure { value, within: limit.is_none_or(|limit| limit.admits(value)) })
+    Some((value, limit.is_none_or(|limit| limit.admits(value))))
 }
 
 /// The value with three digits and a power of ten, because moduli have many zeros.
@@ -296,24 +290,19 @@ fn powers_of_ten(value: f64) -> String {
 
 /// The value, or the smallest and the largest if there are several.
 fn range_in_words(values: impl Iterator<Item = f64>, written: fn(f64) -> String) -> String {
-    let ends = values.fold(None, |ends: Option<(f64, f64)>, value| match ends {
-        Some((low, high)) => Some((low.min(value), high.max(value))),
-        None => Some((value, value)),
-    });
-    match ends.map(|(low, high)| (written(low), written(high))) {
-        Some((low, high)) if low == high => low,
-        Some((low, high)) => format!("{low}-{high}"),
-        None => MISSING_VALUE.to_owned(),
+    let (least, most) = least_and_most(values);
+    match (written(least), written(most)) {
+        _ if least > most => MISSING_VALUE.to_owned(),
+        (low, high) if low == high => low,
+        (low, high) => format!("{low}-{high}"),
     }
 }
 
-/// The worst of all values, as `worse` decides, with a mark if any value is outside its limit.
-fn worst_in_words(values: impl Iterator<Item = JudgedFigure>, worse: fn(f64, f64) -> f64) -> String {
-    let one =
-        values.reduce(|a, b| JudgedFigure { value: worse(a.value, b.value), within: a.within && b.within });
-    match one {
-        Some(JudgedFigure { value, within: true }) => three_significant(value),
-        Some(JudgedFigure { value, within: false }) => format!("{} {OUTSIDE_MARK}", three_significant(value)),
+/// The worst of all values, as `worse` decides, with a mark if any value is not within its limit.
+fn worst_in_words(values: impl Iterator<Item = (f64, bool)>, worse: fn(f64, f64) -> f64) -> String {
+    match values.reduce(|a, b| (worse(a.0, b.0), a.1 && b.1)) {
+        Some((value, true)) => three_significant(value),
+        Some((value, false)) => format!("{} {OUTSIDE_MARK}", three_significant(value)),
         None => MISSING_VALUE.to_owned(),
     }
 }
