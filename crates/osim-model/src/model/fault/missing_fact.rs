@@ -188,13 +188,6 @@ impl MissingFact {
                     each.join("; "), advice_for_verbs_that_take(*input, ": choose the forces with ", "GLOB", "")
                 ]
             }
-            other => other.about_spheres_or_reference(),
-        }
-    }
-
-    /// The messages about shared weight and shared spheres, contacts of a reference, and factors of bodies.
-    fn about_spheres_or_reference(&self) -> Phrase {
-        match self {
             Self::SphereCount { of, why } => phrase![
                 "how many spheres share the body weight is not known: {}: say it with {}";
                 why, of.input().with_placeholder("N")
@@ -234,13 +227,6 @@ impl MissingFact {
                 spheres.join(", "), Input::MovedSpheres.with_value("keep"),
                 Input::MovedSpheres.with_value("replace")
             ],
-            other => other.about_request(),
-        }
-    }
-
-    /// The messages about facts of the request and about files given with it.
-    fn about_request(&self) -> Phrase {
-        match self {
             Self::Repetition { operation } => phrase![
                 "the note in the file says that '{operation}' was done already: apply it once more with {}";
                 Input::Force
@@ -268,8 +254,7 @@ impl MissingFact {
                 Input::BodyScaleFile.with_placeholder("FILE"),
             ],
             Self::Gravity { purpose } => purpose.phrase(),
-            // `HeightRatio`; the others were answered before.
-            _ => phrase![
+            Self::HeightRatio => phrase![
                 "{} needs the ratio of heights: give {}, or {}";
                 Input::Rule.with_value("predsim"), Input::HeightRatio.with_placeholder("RATIO"),
                 Input::FollowBodies
