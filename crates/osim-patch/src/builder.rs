@@ -131,7 +131,7 @@ impl<'m> PlanBuilder<'m> {
         if from == to {
             return Ok(());
         }
-        let slot = plane.location_slot();
+        let slot = plane.location_slot.clone();
         self.add_move((plane.name.clone(), plane.path.clone()), (from, to), by, slot)
     }
 

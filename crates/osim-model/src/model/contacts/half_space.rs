@@ -40,7 +40,7 @@ pub struct HalfSpace {
     pub position: TextPosition,
     pub element: ElementId,
     /// The place of the half-space's location in its file.
-    pub(crate) location_slot: Slot,
+    pub location_slot: Slot,
     component: ComponentId,
 }
 
@@ -107,11 +107,6 @@ impl HalfSpace {
             location_slot: location_slot(components, id, location),
             component: id,
         })
-    }
-
-    /// The place of the half-space's location in its file.
-    pub fn location_slot(&self) -> Slot {
-        self.location_slot.clone()
     }
 
     /// The half-space's location in its frame, m, after a move by `up_m` along its normal; `None` if the location cannot be read.

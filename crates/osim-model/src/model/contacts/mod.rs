@@ -93,16 +93,12 @@ fn loaded_spheres_where(
 /// # Errors
 /// A value is not a plain number or is outside its domain. The error has the place in the file.
 pub fn contact_of_set(force: &Force, surfaces: &Surfaces, set: SetId) -> Result<Contact> {
-    contact_of_values(force, surfaces.with_plane(set)?, set)
+    contact_of_pair(force, surfaces, set, surfaces.plane.unwrap_or(set))
 }
 
 /// The contact of parameter set `set` with a plane in the set `plane`, which has its own parameters.
 pub fn contact_of_pair(force: &Force, surfaces: &Surfaces, set: SetId, plane: SetId) -> Result<Contact> {
-    contact_of_values(force, surfaces.mixed(set, plane)?, set)
-}
-
-fn contact_of_values(force: &Force, values: SurfaceValues, set: SetId) -> Result<Contact> {
-    let SurfaceValues { plane_strain_modulus, dissipation } = values;
+    let SurfaceValues { plane_strain_modulus, dissipation } = surfaces.mixed(set, plane)?;
     let get = |property| force.checked(set, property);
     let smoothing = match (
         get(Property::ConstantContactForce)?,
