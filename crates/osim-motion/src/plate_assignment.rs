@@ -95,11 +95,6 @@ impl MeasuredForces {
         measured
     }
 
-    /// The forces under the feet that are known in some frame.
-    pub(crate) fn of_known_feet(&self) -> Vec<&[Option<Wrench>]> {
-        self.feet.iter().map(Vec::as_slice).filter(|forces| forces.iter().any(Option::is_some)).collect()
-    }
-
     /// The forces under the feet that plates carry in some frame.
     pub(crate) fn of_loaded_feet(&self) -> Vec<&[Option<Wrench>]> {
         let is_loaded =

@@ -142,7 +142,8 @@ impl Engine {
 
     /// The model at `path`. It is read again only after a file changed.
     fn open(&mut self, path: &Path, set_files: &SetFiles) -> Result<Rc<OpenedModel>, Failure> {
-        let opened = match self.opened.iter().position(|opened| opened.was_opened_from(path, set_files)) {
+        let is_it = |opened: &Rc<OpenedModel>| opened.path == path && opened.set_files == *set_files;
+        let opened = match self.opened.iter().position(is_it) {
             Some(at) => self.opened.remove(at),
             None => Rc::new(OpenedModel::read(path, set_files, &self.files)?),
         };

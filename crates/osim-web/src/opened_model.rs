@@ -43,11 +43,6 @@ impl OpenedModel {
         Ok(Self { path: path.to_owned(), set_files: set_files.clone(), model: all.open()?, files })
     }
 
-    /// Whether this model was opened from `path` with the files `set_files`.
-    pub(crate) fn was_opened_from(&self, path: &Path, set_files: &SetFiles) -> bool {
-        self.path == path && self.set_files == *set_files
-    }
-
     /// Files of the model with their digests.
     pub(crate) fn digests(&self) -> Vec<NamedDigest> {
         let digest =

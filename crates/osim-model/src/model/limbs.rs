@@ -74,15 +74,8 @@ impl Limbs {
 impl Model {
     /// Groups the spheres that switched-on forces among `forces` press on a half-space, by limb.
     pub fn limbs(&self, forces: &[ForceId]) -> Limbs {
-        let carriers = match self.sphere_carriers(forces) {
-            Ok(carriers) => carriers,
-            Err(why) => return Limbs::Unknown(why.into()),
-        };
-        let mut limbs = Vec::new();
-        match self.add_limbs_of_carriers(&carriers, &mut limbs) {
-            Ok(()) => Limbs::Known(limbs),
-            Err(why) => Limbs::Unknown(why.into()),
-        }
+        let limbs = self.sphere_carriers(forces).and_then(|carriers| self.limbs_of_carriers(&carriers));
+        limbs.map_or_else(|why| Limbs::Unknown(why.into()), Limbs::Known)
     }
 
     /// Moving spheres that a switched-on force among `forces` presses on a half-space, each once.
@@ -156,18 +149,17 @@ impl Model {
     }
 
     /// Splits the bodies with spheres, from the top of the joint tree downwards, until no group has both sides.
-    fn add_limbs_of_carriers(&self, carriers: &[SphereCarrier], limbs: &mut Vec<Limb>) -> Result<(), String> {
+    fn limbs_of_carriers(&self, carriers: &[SphereCarrier]) -> Result<Vec<Limb>, String> {
         let tree = CarrierTree::new(carriers, self.skeleton());
         let sides: BTreeSet<Side> = carriers.iter().filter_map(|carrier| carrier.side).collect();
         if sides.len() < Side::ALL.len() {
             let top = carriers.first().map(|carrier| self.skeleton().top(carrier.body));
-            limbs.push(self.limb(&carriers.iter().collect::<Vec<_>>(), top)?);
-            return Ok(());
+            return Ok(vec![self.limb(&carriers.iter().collect::<Vec<_>>(), top)?]);
         }
         let [top] = tree.tops[..] else {
             return Err("spheres are on bodies that are joined only through ground".to_owned());
         };
-        let mut groups = vec![top];
+        let (mut limbs, mut groups) = (Vec::new(), vec![top]);
         while let Some(body) = groups.pop() {
             if tree.sides(body).len() < Side::ALL.len() {
                 limbs.push(self.limb(&tree.below(body), Some(body))?);
@@ -183,7 +175,7 @@ impl Model {
             groups.extend(tree.children(at));
         }
         limbs.sort_by_key(|limb| limb.spheres.first().copied());
-        Ok(())
+        Ok(limbs)
     }
 
     /// The limb of a `group` of bodies, with the name of its topmost body.

@@ -235,7 +235,8 @@ impl InverseDynamics {
         indices.extend(coordinates.level.iter().map(|(index, _)| *index).chain(turns));
         let root_count = indices.len();
         indices.extend(angles.filter(|one| one.foot.is_some() && !one.moves_toes).map(|one| one.index));
-        let known_feet = measured.of_known_feet();
+        let known_feet = measured.feet.iter().filter(|forces| forces.iter().any(Option::is_some));
+        let known_feet: Vec<_> = known_feet.collect();
         let is_measured = |frame: &usize| known_feet.iter().all(|foot| foot[*frame].is_some());
         let frames = END_FRAMES..before.0.frames().saturating_sub(END_FRAMES);
         let frames: Vec<usize> = frames.filter(is_measured).collect();

@@ -256,7 +256,8 @@ impl Model {
         let (sphere_count, force_count) =
             (counts(&then.spheres, &now.spheres), counts(&then.forces, &now.forces));
         let comparable = sphere_count.is_none() && force_count.is_none();
-        let properties = if comparable { differing_properties(then, &now) } else { Vec::new() };
+        let differs = |property: &Property| then.properties.get(property) != now.properties.get(property);
+        let properties: Vec<_> = Property::changeable().filter(|_| comparable).filter(differs).collect();
         ChangedContacts {
             sphere_names: comparable && then.spheres.digest != now.spheres.digest,
             force_names: comparable && then.forces.digest != now.forces.digest,
@@ -268,12 +269,6 @@ impl Model {
             force_count,
         }
     }
-}
-
-/// Properties with different values, and properties that only one of the two records has.
-fn differing_properties(then: &NotedParts, now: &NotedParts) -> Vec<Property> {
-    let differs = |property: &Property| then.properties.get(property) != now.properties.get(property);
-    Property::changeable().filter(differs).collect()
 }
 
 #[cfg(test)]
