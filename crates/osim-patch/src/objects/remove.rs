@@ -3,7 +3,8 @@
 
 use std::collections::BTreeSet;
 
-use foldhash::{HashMap, HashMapExt, HashSet, HashSetExt};
+use foldhash::{HashSet, HashSetExt};
+use indexmap::IndexMap;
 use osim_model::{
     ComponentId, Document, ElementId, Fault, FaultKind, FileId, Force, ForceId, GEOMETRY_CLASSES, HalfSpace,
     Model, Note, OTHER_CONTACT_CLASSES, Result, Selected, SphereId, Tree, moving_spheres, opensim_text,
@@ -219,27 +220,24 @@ pub fn dangling_references(rebuilt: &RebuiltModel) -> Vec<DanglingReference> {
     let new = paths(ObjectAction::Added);
     let gone: HashSet<&str> =
         paths(ObjectAction::Removed).into_iter().filter(|path| !new.contains(path)).collect();
-    let mut found: Vec<DanglingReference> = Vec::new();
     if gone.is_empty() {
-        return found;
+        return Vec::new();
     }
     let tree = rebuilt.model().document().tree();
-    let (mut by_owner, mut said) = (HashMap::new(), HashSet::new());
+    let mut by_owner: IndexMap<Option<ElementId>, Vec<String>> = IndexMap::new();
     for leaf in tree.elements().filter(|&id| tree.children(id).next().is_none()) {
         let names = names_of_removed(tree, leaf, &gone);
         if names.is_empty() {
             continue;
         }
-        let owner = named_owner(tree, leaf);
-        let at = *by_owner.entry(owner).or_insert_with(|| {
-            found.push(DanglingReference { object: class_and_name(tree, owner), names: Vec::new() });
-            found.len() - 1
-        });
-        if let Some(leftover) = found.get_mut(at) {
-            leftover.names.extend(names.into_iter().filter(|name| said.insert((at, name.clone()))));
-        }
+        by_owner.entry(named_owner(tree, leaf)).or_default().extend(names);
     }
-    found
+    let reference = |(owner, mut names): (Option<ElementId>, Vec<String>)| {
+        let mut said = HashSet::new();
+        names.retain(|name| said.insert(name.clone()));
+        DanglingReference { object: class_and_name(tree, owner), names }
+    };
+    by_owner.into_iter().map(reference).collect()
 }
 
 /// The names in the text of `leaf` that are in `gone`.

@@ -12,7 +12,7 @@ use osim_requests::spell::FrontEnd;
 use osim_requests::{CheckRequest, Request};
 
 use crate::report::extent::Layout;
-use crate::report::layout::{csv_text, severity, sign, table, wrapped_with_path};
+use crate::report::layout::{csv_text, sign, table, wrapped_with_path};
 use crate::report::messages::{NO_CONTACTS_CELL, failure_in_cell};
 use crate::report::similarity;
 
@@ -233,7 +233,7 @@ fn explanations(found: &CheckResult, layout: Layout) -> String {
     let mut text = String::new();
     for alike in found.findings.chunk_by(|a, b| a.code() == b.code()) {
         let Some(first) = alike.first() else { continue };
-        text.push_str(&format!("\n{} {}\n", severity(first.severity, layout.colour), first.code()));
+        text.push_str(&format!("\n{} {}\n", sign(first.severity, layout.colour), first.code()));
         for finding in alike {
             let position = finding.position.map(|at| format!("{at}: ")).unwrap_or_default();
             let message = finding.message.to_string();
@@ -460,7 +460,7 @@ fn painted_rows(text: &str, layout: Layout) -> String {
     for line in text.split_inclusive('\n') {
         let word = line.split_ascii_whitespace().nth(1).unwrap_or_default();
         match [Severity::Error, Severity::Warning].into_iter().find(|level| level.as_str() == word) {
-            Some(found) => out.push_str(&line.replacen(word, &severity(found, layout.colour), 1)),
+            Some(found) => out.push_str(&line.replacen(word, &sign(found, layout.colour), 1)),
             None => out.push_str(line),
         }
     }

@@ -7,7 +7,6 @@ use anstyle::{AnsiColor, Style};
 use comfy_table::{CellAlignment, ColumnConstraint, ContentArrangement, Table, presets};
 use csv::{IntoInnerError, WriterBuilder};
 use osim_inspect::Sign;
-use osim_model::Severity;
 use osim_model::messages::{one_line, shown, shown_whole};
 use osim_planning::with_text_mark;
 use textwrap::core::{Word, display_width};
@@ -363,24 +362,15 @@ pub(crate) fn colour_marks(text: &str, colour: Colour) -> String {
     out
 }
 
-/// The word for `severity`, in its colour.
-pub(crate) fn severity(severity: Severity, colour: Colour) -> String {
-    let style = match (colour, severity) {
-        (Colour::Plain, _) | (_, Severity::Remark) => Style::new(),
-        (Colour::Ansi, Severity::Error) => AnsiColor::Red.on_default().bold(),
-        (Colour::Ansi, Severity::Warning) => STYLE_OF_OUTSIDE,
+/// The word for a verdict's `sign` or for a severity, in its colour.
+pub(crate) fn sign(sign: impl Into<Sign>, colour: Colour) -> String {
+    let sign: Sign = sign.into();
+    let style = match (colour, sign) {
+        (Colour::Ansi, Sign::Error) => AnsiColor::Red.on_default().bold(),
+        (Colour::Ansi, Sign::Warning) => STYLE_OF_OUTSIDE,
+        _ => Style::new(),
     };
-    format!("{style}{}{style:#}", severity.as_str())
-}
-
-/// The word for a verdict's `sign`, in its colour.
-pub(crate) fn sign(sign: Sign, colour: Colour) -> String {
-    match sign {
-        Sign::Remark => severity(Severity::Remark, colour),
-        Sign::Warning => severity(Severity::Warning, colour),
-        Sign::Error => severity(Severity::Error, colour),
-        Sign::Good | Sign::Unknown => sign.as_str().to_owned(),
-    }
+    format!("{style}{}{style:#}", sign.as_str())
 }
 
 #[cfg(test)]
