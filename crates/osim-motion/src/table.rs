@@ -119,15 +119,12 @@ impl Table {
             }
             "version" => self.has_version = true,
             _ if lower.starts_with(CORRECTED_HEADER_LINE) => self.corrected = true,
-            _ if lower.contains("angles are in degrees") => self.read_sentence(AngleUnit::Degrees),
-            _ if lower.contains("angles are in radians") => self.read_sentence(AngleUnit::Radians),
-            _ => {}
+            _ => {
+                let is_said = |unit: &AngleUnit| lower.contains(&format!("angles are in {}", unit.as_str()));
+                // The sentence only counts if no header property gives the unit.
+                self.declared = self.declared.or(AngleUnit::ALL.iter().copied().find(is_said));
+            }
         }
-    }
-
-    /// Reads the unit of angles from a sentence of the header; it only counts if no header property gives the unit.
-    fn read_sentence(&mut self, unit: AngleUnit) {
-        self.declared.get_or_insert(unit);
     }
 
     /// Reads a table from the bytes of a file.
