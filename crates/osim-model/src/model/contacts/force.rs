@@ -83,7 +83,7 @@ pub struct Sphere {
     /// First byte of the sphere's element.
     pub(super) start: usize,
     pub(crate) base: Carrier,
-    pub(super) spelling: SphereSpelling,
+    pub(super) class: Class,
     /// The component of the sphere's frame; `None` is ground or a frame in a file that was not given.
     pub(crate) frame_component: Option<ComponentId>,
     /// The bytes of the location's text; `None` if the sphere has no location of its own.
@@ -116,61 +116,42 @@ impl Sphere {
     }
 
     pub const fn class(&self) -> Class {
-        self.spelling.class()
+        self.class
     }
 
     /// Whether the sphere is inside its force, as in Moco 0.1 to 0.3.
     pub fn is_inside_force(&self) -> bool {
-        self.spelling == SphereSpelling::InsideForce
+        self.class == Class::SmoothSphereHalfSpaceForce
     }
 
     pub fn radius_slot(&self) -> Slot {
-        self.slot_of_property(self.spelling.radius_tag(), self.radius.span.clone(), self.radius.offset)
+        self.slot_of_property(radius_tag(self.class), self.radius.span.clone(), self.radius.offset)
     }
 
     pub fn location_slot(&self) -> Slot {
         let offset = self.location_span.as_ref().map_or(self.start, |span| span.start);
-        self.slot_of_property(self.spelling.location_tag(), self.location_span.clone(), offset)
+        self.slot_of_property(location_tag(self.class), self.location_span.clone(), offset)
     }
 
     fn slot_of_property(&self, tag: &'static str, span: Option<Range<usize>>, offset: usize) -> Slot {
-        Slot { file: self.file, object: self.element, class: self.spelling.class(), tag, span, offset }
+        Slot { file: self.file, object: self.element, class: self.class, tag, span, offset }
     }
 }
 
-/// The three ways in which a file can write a contact sphere.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum SphereSpelling {
-    /// A `ContactSphere` with a `radius` element.
-    ContactSphere,
-    /// A `ContactEllipsoid` with three `radii`.
-    ContactEllipsoid,
-    /// A sphere inside a force of Moco 0.1 to 0.3, with `contact_sphere_radius`.
-    InsideForce,
+/// The tag of a sphere's location; `class` is that of the element with the sphere, which may be a force of Moco 0.1 to 0.3.
+pub(super) const fn location_tag(class: Class) -> &'static str {
+    match class {
+        Class::ContactSphere | Class::ContactEllipsoid => "location",
+        _ => "contact_sphere_location",
+    }
 }
 
-impl SphereSpelling {
-    pub(super) const fn class(self) -> Class {
-        match self {
-            Self::ContactSphere => Class::ContactSphere,
-            Self::ContactEllipsoid => Class::ContactEllipsoid,
-            Self::InsideForce => Class::SmoothSphereHalfSpaceForce,
-        }
-    }
-
-    pub(super) const fn location_tag(self) -> &'static str {
-        match self {
-            Self::ContactSphere | Self::ContactEllipsoid => "location",
-            Self::InsideForce => "contact_sphere_location",
-        }
-    }
-
-    pub(super) const fn radius_tag(self) -> &'static str {
-        match self {
-            Self::ContactSphere => "radius",
-            Self::ContactEllipsoid => "radii",
-            Self::InsideForce => "contact_sphere_radius",
-        }
+/// The tag of a sphere's radius or radii, likewise.
+pub(super) const fn radius_tag(class: Class) -> &'static str {
+    match class {
+        Class::ContactSphere => "radius",
+        Class::ContactEllipsoid => "radii",
+        _ => "contact_sphere_radius",
     }
 }
 

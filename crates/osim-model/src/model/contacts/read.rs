@@ -4,7 +4,7 @@ use foldhash::{HashSet, HashSetExt};
 
 use crate::model::components::{Carrier, ComponentId, Components, Connectee};
 use crate::model::contacts::force::{
-    Force, ForceId, ForceKind, ParameterSet, SetId, Sphere, SphereId, SphereSpelling,
+    Force, ForceId, ForceKind, ParameterSet, SetId, Sphere, SphereId, location_tag, radius_tag,
 };
 use crate::model::document::Document;
 use crate::model::fault::{Fault, FaultKind, Result};
@@ -59,8 +59,8 @@ impl<'r> ContactReader<'r> {
         self.record_needed_sockets();
         for (id, _) in self.components.tree.iter() {
             match self.components.tag(id) {
-                "ContactSphere" => self.add_sphere(id, SphereSpelling::ContactSphere)?,
-                "ContactEllipsoid" => self.add_sphere(id, SphereSpelling::ContactEllipsoid)?,
+                "ContactSphere" => self.add_sphere(id, Class::ContactSphere)?,
+                "ContactEllipsoid" => self.add_sphere(id, Class::ContactEllipsoid)?,
                 _ => {}
             }
         }
@@ -76,20 +76,20 @@ impl<'r> ContactReader<'r> {
         Ok(())
     }
 
-    fn add_sphere(&mut self, id: ComponentId, spelling: SphereSpelling) -> Result<()> {
+    fn add_sphere(&mut self, id: ComponentId, class: Class) -> Result<()> {
         let (document, element) = (self.components.document_of(id), self.components.element(id));
         let frame = self.frame_of_geometry(id, "frame", &["body_name"])?;
-        let radius = document.value(element, spelling.class(), Property::Radius, spelling.radius_tag());
+        let radius = document.value(element, class, Property::Radius, radius_tag(class));
         let location =
             document.whole_triple(element, "location").map_err(|fault| self.with_place(id, fault))?;
         let location_m = location.unwrap_or([0.0; 3]);
         let name = self.components.name(id).into_owned();
-        self.push_sphere(id, name, radius, location_m, frame, spelling);
+        self.push_sphere(id, name, radius, location_m, frame, class);
         self.sphere_components.push(id);
-        if spelling == SphereSpelling::ContactEllipsoid
+        if class == Class::ContactEllipsoid
             && let Some(ellipsoid) = self.spheres.last_mut()
         {
-            ellipsoid.set_radii(document.triple(element, spelling.radius_tag()).unwrap_or_default());
+            ellipsoid.set_radii(document.triple(element, radius_tag(class)).unwrap_or_default());
         }
         Ok(())
     }
@@ -101,11 +101,11 @@ impl<'r> ContactReader<'r> {
         radius: Value,
         location_m: [f64; 3],
         frame: GeometryFrame,
-        spelling: SphereSpelling,
+        class: Class,
     ) {
         let GeometryFrame { path: frame, base, component: frame_component } = frame;
         let document = self.components.document_of(id);
-        let location = document.tree().child(self.components.element(id), spelling.location_tag());
+        let location = document.tree().child(self.components.element(id), location_tag(class));
         let location_span = location.map(|element| document.span_of_value(element));
         let body = match base {
             Carrier::Body(body) => Some(self.components.name(body).into_owned()),
@@ -127,7 +127,7 @@ impl<'r> ContactReader<'r> {
             element,
             start: document.tree().span(element).start,
             base,
-            spelling,
+            class,
             frame_component,
             location_span,
         });
@@ -282,11 +282,11 @@ impl<'r> ContactReader<'r> {
     fn add_sphere_inside(&mut self, id: ComponentId) -> Result<SphereId> {
         let (document, element) = (self.components.document_of(id), self.components.element(id));
         let frame = self.frame_of_geometry(id, "sphere_frame", &[])?;
-        let tag = SphereSpelling::InsideForce.radius_tag();
-        let radius = document.value(element, Class::SmoothSphereHalfSpaceForce, Property::Radius, tag);
+        let class = Class::SmoothSphereHalfSpaceForce;
+        let radius = document.value(element, class, Property::Radius, radius_tag(class));
         let location = document.triple(element, "contact_sphere_location").unwrap_or([0.0; 3]);
         let name = self.components.name(id).into_owned();
-        self.push_sphere(id, name, radius, location, frame, SphereSpelling::InsideForce);
+        self.push_sphere(id, name, radius, location, frame, class);
         Ok(SphereId(self.spheres.len() - 1))
     }
 
