@@ -277,7 +277,7 @@ pub(super) fn find_dead_derivative_smoothing(model: &Model) -> Vec<Finding> {
     // Early Moco, whose forces keep their spheres inside, reads the element.
     for force in model.forces().iter().filter(|force| !keeps_sphere_inside(model, force)) {
         let document = model.file(force.file);
-        if let Some(dead) = document.tree().child(force.element(), "derivative_smoothing") {
+        if let Some(dead) = document.tree().child(force.element, "derivative_smoothing") {
             let position = document.position_of(dead);
             let text = format!("{}: derivative_smoothing is ignored by OpenSim", force.path);
             let finding = Finding::at(&DEAD_DERIVATIVE_SMOOTHING, position, text).with_place(&force.path);

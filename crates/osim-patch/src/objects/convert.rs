@@ -89,7 +89,7 @@ pub fn convert(model: &Model, selected: &Selected, wanted: &Convert) -> Result<C
         if force.kind == wanted.to && is_one && !keeps_sphere_inside(model, force) {
             continue;
         }
-        let mut content = dropped_content(tree, force.element());
+        let mut content = dropped_content(tree, force.element);
         if force.kind != wanted.to && wanted.to == ForceKind::HuntCrossley {
             content.extend(dropped_smoothing(model, force, &pairs));
         }
@@ -222,7 +222,7 @@ fn dropped_smoothing(model: &Model, force: &Force, pairs: &[SpherePlanePair]) ->
     let lost = computed.into_iter().filter_map(|(property, value)| {
         let &(_, own) = values.iter().find(|(known, _)| *known == property)?;
         let is_lost =
-            (own - value).abs() > 1e-6 * value && tree.child(force.element(), property.as_str()).is_some();
+            (own - value).abs() > 1e-6 * value && tree.child(force.element, property.as_str()).is_some();
         is_lost.then(|| format!("{property} {}", readable(own)))
     });
     lost.collect()
@@ -243,9 +243,9 @@ fn divide_force(
 ) -> Result<(Edit, Vec<ObjectChange>)> {
     let document = model.document();
     let tree = document.tree();
-    let span = tree.span(force.element());
+    let span = tree.span(force.element);
     let space = white_space_before(tree, span.start);
-    let unit = indentation_unit(tree, force.element());
+    let unit = indentation_unit(tree, force.element);
     let (mut text, mut objects) = (String::new(), Vec::new());
     for pair in pairs {
         let Some(sphere) = model.sphere(pair.sphere) else { continue };

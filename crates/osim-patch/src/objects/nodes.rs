@@ -239,7 +239,7 @@ impl SurfacesInsideForces {
     /// if it were one in the body.
     fn refuse_ignored_offset(&mut self, model: &Model, force: &Force, frames: [&String; 2]) -> Result<()> {
         let tree = model.file(FileId::MAIN).tree();
-        if tree.child(force.element(), "derivative_smoothing").is_none() {
+        if tree.child(force.element, "derivative_smoothing").is_none() {
             return Ok(());
         }
         if self.body_paths.is_empty() {

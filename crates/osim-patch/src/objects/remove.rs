@@ -40,7 +40,7 @@ pub fn remove(model: &Model, selected: &Selected, others: &[ComponentId]) -> Res
     let mut spheres: BTreeSet<SphereId> = BTreeSet::new();
     for force in selected.forces.iter().filter_map(|&id| model.force(id)) {
         refuse_included(model, force.file, &force.path)?;
-        elements.push(force.element());
+        elements.push(force.element);
         let moving = moving_spheres(model, &[force.id]).into_iter().filter_map(|id| model.sphere(id));
         let body = moving.clone().find_map(|sphere| sphere.body.clone());
         objects.push(removed(force.kind.as_str(), [&force.name, &force.path], body.as_deref()));
@@ -50,9 +50,9 @@ pub fn remove(model: &Model, selected: &Selected, others: &[ComponentId]) -> Res
     let mut going_names: HashSet<String> = HashSet::new();
     for sphere in spheres.iter().filter_map(|&id| model.sphere(id)) {
         refuse_included(model, sphere.file, &sphere.path)?;
-        elements.push(sphere.element());
+        elements.push(sphere.element);
         going_names.insert(sphere.name.clone());
-        objects.push(removed(sphere.class().as_str(), [&sphere.name, &sphere.path], sphere.body.as_deref()));
+        objects.push(removed(sphere.class.as_str(), [&sphere.name, &sphere.path], sphere.body.as_deref()));
     }
     remove_others(model, others, (&mut elements, &mut objects, &mut going_names))?;
     let mut made = model.note.as_ref().map(|note| note.added_to_file.clone()).unwrap_or_default();

@@ -79,11 +79,12 @@ pub struct Sphere {
     /// Line of the sphere's element, from 1.
     pub position: TextPosition,
     pub file: FileId,
-    pub(crate) element: ElementId,
+    pub element: ElementId,
     /// First byte of the sphere's element.
     pub(super) start: usize,
     pub(crate) base: Carrier,
-    pub(super) class: Class,
+    /// The class of the sphere's element: of a sphere, of an ellipsoid, or of the force with the sphere inside.
+    pub class: Class,
     /// The component of the sphere's frame; `None` is ground or a frame in a file that was not given.
     pub(crate) frame_component: Option<ComponentId>,
     /// The bytes of the location's text; `None` if the sphere has no location of its own.
@@ -109,14 +110,6 @@ impl Sphere {
         }
         let fault = Fault::refused(format!("this needs a sphere; {} is an ellipsoid", self.name));
         Err(fault.at_element(self.path.clone()).in_file(self.file))
-    }
-
-    pub const fn element(&self) -> ElementId {
-        self.element
-    }
-
-    pub const fn class(&self) -> Class {
-        self.class
     }
 
     /// Whether the sphere is inside its force, as in Moco 0.1 to 0.3.
@@ -180,7 +173,7 @@ pub struct Force {
     /// Line of the force's element, from 1.
     pub position: TextPosition,
     pub file: FileId,
-    pub(crate) element: ElementId,
+    pub element: ElementId,
 }
 
 /// The numbers with which a force presses some of its spheres: one `ContactParameters`, or those of a whole
@@ -217,10 +210,6 @@ impl ParameterSet {
 }
 
 impl Force {
-    pub const fn element(&self) -> ElementId {
-        self.element
-    }
-
     /// All spheres of the force, each once, in file order.
     pub fn spheres(&self) -> &[SphereId] {
         &self.spheres

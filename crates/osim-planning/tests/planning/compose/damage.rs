@@ -207,7 +207,7 @@ fn name_of_body(frame: &str, body: &str) -> Option<String> {
 /// The model with a copy of its first force.
 fn with_doubled_force(text: &str, model: &Model) -> Option<String> {
     let force = model.forces().iter().find(|force| force.file == FileId::MAIN)?;
-    let span = model.document().tree().span(force.element());
+    let span = model.document().tree().span(force.element);
     let piece = text.get(span.clone())?;
     let named = piece.replacen(&format!("\"{}\"", force.name), &format!("\"{}_0\"", force.name), 1);
     (named != piece).then(|| format!("{}{named}{}", &text[..span.end], &text[span.end..]))

@@ -403,7 +403,7 @@ fn with_forces_off(m: &Published, of: impl Fn(&str) -> bool) -> Edited {
     let mut text = m.text.clone();
     let is_old = m.text.contains("<isDisabled>");
     for force in chosen.collect::<Vec<_>>().into_iter().rev() {
-        let element = force.element();
+        let element = force.element;
         let own = ["appliesForce", "isDisabled"].iter().find_map(|tag| tree.child(element, tag));
         match own {
             Some(own) => text.replace_range(

@@ -134,7 +134,7 @@ impl Published {
             let spheres = force.spheres().iter().filter_map(|&id| self.model.sphere(id));
             of(&force.name) || spheres.clone().count() > 0 && spheres.clone().all(|sphere| of(&sphere.name))
         });
-        let spans: Vec<_> = chosen.map(|force| tree.span(force.element())).collect();
+        let spans: Vec<_> = chosen.map(|force| tree.span(force.element)).collect();
         (!spans.is_empty()).then(|| {
             spans.into_iter().rev().fold(self.text.clone(), |mut text, span| {
                 text.replace_range(span, "");

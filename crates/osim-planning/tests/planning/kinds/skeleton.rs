@@ -70,7 +70,7 @@ fn with_heels_on(m: &Published, part: &str) -> Edited {
         let body = heel.body.as_deref()?;
         let other = m.body(&[part], body)?;
         let force = m.model.forces().iter().find(|force| force.spheres().contains(&heel.id))?;
-        for element in [heel.element(), force.element()] {
+        for element in [heel.element, force.element] {
             let span = m.model.document().tree().span(element);
             let copy = m.text[span.clone()].replace(&force.name, &format!("of_{other}"));
             copies.push((span.end, copy.replace(&heel.name, &format!("on_{other}")).replace(body, &other)));
