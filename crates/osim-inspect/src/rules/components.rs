@@ -364,12 +364,12 @@ const MOST_JOINTS_NAMED: usize = 6;
 pub(super) fn find_loop_of_joints(model: &Model) -> Vec<Finding> {
     let (components, skeleton) = (model.components(), model.skeleton());
     let finding = |joint, text| Finding::at(&LOOP_OF_JOINTS, components.position_of(joint), text);
-    let ignored = skeleton.ignored_joints().iter().map(|&joint| {
+    let ignored = skeleton.ignored_joints.iter().map(|&joint| {
         let text =
             format!("{} is not the first joint of its body: OpenSim ignores it", components.tree.path(joint));
         finding(joint, text)
     });
-    let loops = skeleton.loops();
+    let loops = &skeleton.loops;
     let cut = loops.joints.first().map(|&first| {
         let joints: Vec<_> = loops.joints.iter().map(|&joint| components.name(joint).into_owned()).collect();
         let names = listed(&joints, MOST_JOINTS_NAMED);

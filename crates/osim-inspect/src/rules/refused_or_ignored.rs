@@ -34,7 +34,7 @@ rule! { pub(super) BODY_WITHOUT_JOINT: BodyWithoutJoint, Error, Mass;
 
 /// One finding for all bodies without a joint. Documents in the form of another version are left out.
 fn find_body_without_joint(model: &Model) -> Vec<Finding> {
-    let (components, bodies) = (model.components(), model.skeleton().bodies_without_joint());
+    let (components, bodies) = (model.components(), &model.skeleton().without_joint);
     let Some(&first) = bodies.first().filter(|_| find_version_against_form(model).is_empty()) else {
         return Vec::new();
     };

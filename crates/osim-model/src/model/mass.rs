@@ -139,7 +139,7 @@ impl MassRequest {
         if let Some(kg) = self.model_kg {
             return Ok(Mass { kg: positive_mass(Input::Mass, kg)?, source: MassSource::Mass });
         }
-        if model.skeleton().loops().mass_is_in_doubt {
+        if model.skeleton().loops.mass_is_in_doubt {
             return Err(Fault::new(MissingFact::MassOfLoop));
         }
         let mut kg = 0.0;

@@ -47,11 +47,11 @@ impl Body {
 pub struct Skeleton {
     pub(crate) bodies: Vec<Body>,
     parents: HashMap<ComponentId, Carrier>,
-    loops: Loops,
+    pub loops: Loops,
     /// Joints that OpenSim ignores: in documents with joints inside bodies, all but the first joint of a body.
-    ignored_joints: Vec<ComponentId>,
-    /// Bodies at the end of no joint; empty if a joint could not be read, or if there is no joint.
-    without_joint: Vec<ComponentId>,
+    pub ignored_joints: Vec<ComponentId>,
+    /// Bodies at the end of no joint, with which OpenSim refuses a model; empty if a joint could not be read, or if there is no joint.
+    pub without_joint: Vec<ComponentId>,
     /// For each joined body, the topmost body of its joint tree.
     tops: HashMap<ComponentId, ComponentId>,
     /// Bodies that are welded to ground, directly or through other bodies.
@@ -109,20 +109,6 @@ impl Skeleton {
         for (top, body) in tops.iter().zip(&mut self.bodies) {
             body.excluded_from_mass |= plates.contains(top);
         }
-    }
-
-    pub fn loops(&self) -> &Loops {
-        &self.loops
-    }
-
-    /// Joints of the model that OpenSim ignores.
-    pub fn ignored_joints(&self) -> &[ComponentId] {
-        &self.ignored_joints
-    }
-
-    /// Bodies without a joint, in a model with joints. OpenSim refuses such a model.
-    pub fn bodies_without_joint(&self) -> &[ComponentId] {
-        &self.without_joint
     }
 
     pub(crate) fn parent(&self, body: ComponentId) -> Option<ComponentId> {

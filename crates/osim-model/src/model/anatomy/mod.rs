@@ -238,7 +238,7 @@ impl Model {
     /// All joints whose frames refer to bodies or to ground, in file order, without joints that OpenSim ignores. Joints inside bodies have
     /// frames with six digits, as OpenSim converts them.
     pub fn joints(&self) -> &[ModelJoint] {
-        self.body_facts.joints.converted(self.components(), self.skeleton().ignored_joints())
+        self.body_facts.joints.converted(self.components(), &self.skeleton().ignored_joints)
     }
 
     /// Whether each coordinate, by name, is an angle; `false` for a length, `None` if it is neither. Of several with one name, the first
