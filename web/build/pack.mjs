@@ -1,4 +1,4 @@
-// Packs bytes into an element of the page: compressed by Zstandard, eleven letters for nine bytes. It is data, not a script: nothing runs it.
+// Packs bytes into an element of the page: compressed by Zstandard, two letters for each 13 bits. It is data, not a script: nothing runs it.
 
 import { spawnSync } from "node:child_process";
 
@@ -16,21 +16,20 @@ function packed(bytes) {
   return inLetters(done.stdout);
 }
 
-/** Nine bytes as eleven letters of 94, of which 94^11 are just enough; `decode` in web/src/engine/unpack.ts reads them. */
+/** Each 13 bits as two letters of 94, of which 94² are just enough; `decode` in web/src/engine/unpack.ts reads them. */
 function inLetters(bytes) {
-  let text = "";
-  for (let start = 0; start < bytes.length; start += 9) {
-    const count = Math.min(9, bytes.length - start);
-    let value = 0n;
-    for (let at = 0; at < 9; at += 1) value = value * 256n + BigInt(at < count ? bytes[start + at] : 0);
-    let group = "";
-    for (let at = 0; at < 11; at += 1) {
-      group = letter(Number(value % 94n)) + group;
-      value /= 94n;
-    }
-    text += group.slice(0, Math.ceil((count * 11) / 9));
+  const text = [];
+  let [bits, count] = [0, 0];
+  // Zeros fill the last pair.
+  for (const byte of [...bytes, 0, 0]) {
+    bits = ((bits & 0x1fff) << 8) | byte;
+    count += 8;
+    if (count < 13) continue;
+    count -= 13;
+    const value = (bits >>> count) & 0x1fff;
+    text.push(letter(Math.floor(value / 94)), letter(value % 94));
   }
-  return text;
+  return text.slice(0, Math.ceil((bytes.length * 16) / 13)).join("");
 }
 
 /** A printable ASCII character from the blank to ~, without <, which could end the element. */

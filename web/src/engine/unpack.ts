@@ -17,36 +17,21 @@ export function unpackedText(id: string): string {
   return new TextDecoder().decode(unpack(packed(id)));
 }
 
-/** Letters of a group, bytes of a group, and the number of different letters. */
-const [GROUP, BYTES, BASE] = [11, 9, 94];
+/** Letters by their places, as in web/build/pack.mjs: two of them are 13 bits. */
+const LETTERS = Array.from({ length: 95 }, (_, place) => 32 + place).filter((code) => code !== 60);
 
-/** The bytes of letters. A group is a number of 72 bits, computed in three parts of 24 bits. */
+/** The bytes of letters. A pair is read as one number, little-endian as every browser has it. */
 function decode(text: string): Uint8Array {
-  const letters = new TextEncoder().encode(text);
-  const bytes = new Uint8Array(Math.floor((letters.length * BYTES) / GROUP));
-  for (let start = 0, at = 0; start < letters.length; start += GROUP, at += BYTES) {
-    let first = 0;
-    let middle = 0;
-    let last = 0;
-    for (let place = start; place < start + GROUP; place += 1) {
-      // After the end the largest digit, so that a shortened last group is decoded correctly.
-      const code = letters[place] ?? 126;
-      last = last * BASE + code - (code > 60 ? 33 : 32);
-      middle = middle * BASE + (last >>> 24);
-      first = first * BASE + (middle >>> 24);
-      last &= 0xffffff;
-      middle &= 0xffffff;
-    }
-    setPart(bytes, at, first);
-    setPart(bytes, at + 3, middle);
-    setPart(bytes, at + 6, last);
+  const values = new Uint16Array(1 << 15);
+  for (const [high, first] of LETTERS.entries()) for (const [low, second] of LETTERS.entries()) values[first | (second << 8)] = high * 94 + low;
+  // After the end the last letter, so that half a pair is decoded correctly.
+  const pairs = new Uint16Array(new TextEncoder().encode(`${text}~`).buffer, 0, (text.length + 1) >> 1);
+  const bytes = new Uint8Array((text.length * 13) >> 4);
+  let [bits, count, at] = [0, 0, 0];
+  for (let place = 0; place < pairs.length; place += 1) {
+    bits = (bits << 13) | (values[pairs[place] ?? 0] ?? 0);
+    // Each pair has one whole byte, or two.
+    for (count += 13; count >= 8; at += 1) bytes[at] = bits >>> (count -= 8);
   }
   return bytes;
-}
-
-/** Writes 24 bits; places after the end are left out. */
-function setPart(bytes: Uint8Array, at: number, part: number): void {
-  bytes[at] = part >>> 16;
-  bytes[at + 1] = part >>> 8;
-  bytes[at + 2] = part;
 }
