@@ -28,8 +28,8 @@ if (!skipEngine) buildEngine();
 checkTypes();
 const engine = readEngine();
 const worker = await bundleWorker();
-const script = await bundlePage();
-const { html, sizes } = await assemble({ script, worker, wasm: engine.wasm, licences: licences(skipEngine) });
+const [boot, script] = [await bundlePage("boot"), await bundlePage("main")];
+const { html, sizes } = await assemble({ boot, script, worker, wasm: engine.wasm, licences: licences(skipEngine) });
 
 const file = join(OUTPUT, PAGE);
 writeFileSync(file, html);

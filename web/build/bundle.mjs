@@ -4,6 +4,7 @@ import { join } from "node:path";
 
 import { build } from "esbuild";
 
+import { asciiSource } from "./pack.mjs";
 import { ENGINE, WEB } from "./paths.mjs";
 
 const COMMON = {
@@ -29,12 +30,12 @@ export async function bundleWorker() {
   }));
 }
 
-/** The page. */
-export async function bundlePage() {
-  return text(await build({ ...COMMON, entryPoints: [join(WEB, "src/main.ts")] }));
+/** The script `src/NAME.ts` of the page. */
+export async function bundlePage(name) {
+  return text(await build({ ...COMMON, entryPoints: [join(WEB, "src", `${name}.ts`)] }));
 }
 
-/** The script in ASCII, which browsers read several times as fast as other text; esbuild leaves other letters in regular expressions. */
+/** The script in ASCII; esbuild leaves other letters in regular expressions. */
 function text(result) {
-  return result.outputFiles[0].text.replace(/[^\0-\x7f]/g, (unit) => `\\u${unit.charCodeAt(0).toString(16).padStart(4, "0")}`);
+  return asciiSource(result.outputFiles[0].text);
 }

@@ -8,7 +8,7 @@ import { transform } from "esbuild";
 import { paper, version } from "./facts.mjs";
 import { forms } from "./forms.mjs";
 import { manual } from "./manual.mjs";
-import { block } from "./pack.mjs";
+import { block, asciiSource, textBlock } from "./pack.mjs";
 import { ROOT, WEB } from "./paths.mjs";
 import { guard, policyElement } from "./policy.mjs";
 
@@ -17,33 +17,31 @@ const EXAMPLE = "fixtures/table1/human_62kg_smooth_sphere.osim";
 const STYLES = ["crates/osim-view/src/html/style.css", "web/page/page.css", "web/page/forms.css", "web/page/panels.css", "web/page/bench.css"];
 
 /** The text of the page, and the sizes of its parts. */
-export async function assemble({ script, worker, wasm, licences }) {
+export async function assemble({ boot, script, worker, wasm, licences }) {
   const style = await styles();
-  // What the script needs at once is before it. While the browser reads the large blocks behind it, the worker starts.
-  const first = [
-    ["worker", block("worker", Buffer.from(worker))],
-    ["forms", block("forms", Buffer.from(JSON.stringify(forms())))],
-  ];
   const blocks = [
+    ["forms", textBlock("forms", asciiSource(JSON.stringify(forms()).replaceAll("<", "\\u003c")))],
     ["engine", block("engine", wasm)],
     ["example", block("example", readFileSync(join(ROOT, EXAMPLE)))],
     ["manual", block("manual-html", Buffer.from(manual()))],
     ["licences", block("licences-text", Buffer.from(licences))],
   ];
   // Inside an element, this would end it.
-  if (/<\/(script|style)/i.test(script + style)) throw new Error("the script or a style holds an end tag");
+  if (/<\/(script|style)|<!--/i.test(boot + script + worker + style)) throw new Error("a script or a style holds an end tag");
   const html = inAscii(filled(readFileSync(join(WEB, "page/page.html"), "utf8"), {
-    policy: policyElement({ scripts: [guard, script], styles: [style] }),
+    policy: policyElement({ scripts: [guard, boot, script], styles: [style] }),
     guard: `<script>${guard}</script>`,
     style: `<style>${style}</style>`,
-    "first-blocks": joined(first),
+    // The worker starts while the browser reads the large blocks, which are before the script that needs them.
+    worker: textBlock("worker", worker),
+    boot: `<script>${boot}</script>`,
     blocks: joined(blocks),
     script: `<script>${script}</script>`,
     version: version(),
     ...cited(paper()),
   }));
-  const sizes = [...first, ...blocks].map(([name, text]) => [`${name}, compressed`, text.length]);
-  return { html, sizes: [...sizes, ["script", script.length], ["style", style.length]] };
+  const sizes = blocks.map(([name, text]) => [`block ${name}`, text.length]);
+  return { html, sizes: [...sizes, ["worker", worker.length], ["script", script.length], ["style", style.length]] };
 }
 
 function joined(blocks) {

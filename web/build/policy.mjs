@@ -23,7 +23,7 @@ export function policy({ scripts, styles }) {
     "worker-src blob:",
     // Text becomes markup in one place of the script only, src/dom/trusted.ts: browsers that know of this let no other do it.
     "require-trusted-types-for 'script'",
-    "trusted-types osim",
+    "trusted-types osim osim-worker",
   ].join("; ");
 }
 

@@ -5,10 +5,9 @@ import { LivePreview } from "./actions/live";
 import { openFiles, openRead } from "./actions/open";
 import { refreshPresets } from "./actions/presets";
 import { byId } from "./dom/element";
-import { pageLoaded } from "./dom/loaded";
 import { Client } from "./engine/client";
 import { toFailure } from "./engine/failure";
-import { packed, unpack, unpackedText } from "./engine/unpack";
+import { packed, unpack } from "./engine/unpack";
 import { acceptDrops } from "./files/drop";
 import type { Source } from "./forms/declaration";
 import { Session } from "./state/session";
@@ -40,15 +39,17 @@ const EXAMPLE = "human_62kg_smooth_sphere.osim";
 function main(): void {
   const missing = missingSupport();
   if (missing.length > 0) return showUnsupported(`This browser lacks what the page needs: ${missing.join(", ")}. ${BROWSER_ADVICE}`);
-  const session = new Session(new Client(unpackedText("worker")));
+  start().catch((error) => showUnsupported(`The page could not start: ${toFailure(error).message}`));
+}
+
+async function start(): Promise<void> {
+  const { startedWorker } = globalThis as unknown as { startedWorker: Promise<Worker> };
+  const session = new Session(new Client(await startedWorker));
   // The worker unpacks the engine while this thread makes the page.
-  const started = pageLoaded().then(async () => {
-    const engine = session.engine.start(packed("engine"));
-    const stage = buildPage(session);
-    await engine;
-    return stage;
-  });
-  started.then((stage) => ready(session, stage), (error) => showUnsupported(`The page could not start: ${toFailure(error).message}`));
+  const started = session.engine.start(packed("engine"));
+  const stage = buildPage(session);
+  await started;
+  void ready(session, stage);
 }
 
 function buildPage(session: Session): StageView {
@@ -115,7 +116,6 @@ function showWhatIsOpen(session: Session): void {
 }
 
 async function openExample(session: Session): Promise<void> {
-  await pageLoaded();
   performance.mark("open");
   const bytes = unpack(packed("example"));
   await openRead(session, [{ name: EXAMPLE, bytes, kind: "model" }]);

@@ -1,6 +1,5 @@
 // Sends tasks to the worker and returns a promise for each.
 
-import { workerAddress } from "../dom/trusted";
 import { EngineError } from "./failure";
 import { failed, type Files, type Reply, type Task, type ChangeThen } from "./messages";
 import type { AnimalFall, Bones, CorrectedMotion, PlayedMotion } from "./space";
@@ -16,14 +15,11 @@ type BusyListener = (count: number) => void;
 export class Client {
   readonly #worker: Worker;
   readonly #waiting = new Map<number, Waiting>();
-  /** Tasks from before the start of the engine, which are sent after the start; undefined after the start. */
-  #tasksBeforeStart: (() => void)[] | undefined = [];
   #lastId = 0;
   #busy: BusyListener = () => undefined;
 
-  constructor(script: string) {
-    const address = URL.createObjectURL(new Blob([script], { type: "text/javascript" }));
-    this.#worker = new Worker(workerAddress(address));
+  constructor(worker: Worker) {
+    this.#worker = worker;
     this.#worker.onmessage = ({ data }: MessageEvent<Reply>) => this.#settle(data);
     this.#worker.onerror = (event) => this.#end(event.message);
   }
@@ -33,6 +29,8 @@ export class Client {
     this.#busy = busy;
   }
 
+  /** Starts the engine. It is the first task: the others wait for it in the worker. */
+  start = (engine: string) => this.#send<null>({ do: "start", engine });
   put = (name: string, bytes: Uint8Array) => this.#send<null>({ do: "put", name, bytes }, [bytes.buffer]);
   remove = (name: string) => this.#send<null>({ do: "remove", name });
   bytes = (name: string) => this.#send<Uint8Array | null>({ do: "bytes", name });
@@ -54,15 +52,6 @@ export class Client {
   zipAdd = (request: Request) => this.#send<Change>({ do: "zip-add", request });
   zipEnd = () => this.#send<Uint8Array>({ do: "zip-end" });
 
-  /** Starts the engine, then sends the tasks that waited for it. */
-  start(engine: string): Promise<null> {
-    const started = this.#send<null>({ do: "start", engine });
-    const tasks = this.#tasksBeforeStart ?? [];
-    this.#tasksBeforeStart = undefined;
-    for (const post of tasks) post();
-    return started;
-  }
-
   /** The bytes of a file with its name. */
   async file(name: string): Promise<NamedBytes> {
     const bytes = await this.bytes(name);
@@ -82,9 +71,7 @@ export class Client {
   #send<T>(task: Task, transfer: Transferable[] = []): Promise<T> {
     const id = (this.#lastId += 1);
     const answer = new Promise<unknown>((resolve, reject) => this.#waiting.set(id, { resolve, reject }));
-    const post = () => this.#worker.postMessage({ id, task }, transfer);
-    if (this.#tasksBeforeStart && task.do !== "start") this.#tasksBeforeStart.push(post);
-    else post();
+    this.#worker.postMessage({ id, task }, transfer);
     this.#busy(this.#waiting.size);
     return answer as Promise<T>;
   }

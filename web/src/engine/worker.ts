@@ -20,6 +20,9 @@ scope.onmessage = ({ data: { id, task } }) => {
   scope.postMessage({ id, answer }, transferables(answer));
 };
 
+// For boot.ts. A message that the page sends before this script has ended waits until the page is idle.
+setTimeout(() => scope.postMessage({ id: 0, answer: { ok: null } }, []));
+
 function handle(task: Task): Answer<unknown> {
   try {
     return task.do === "start" ? startEngine(task.engine) : runTask(task, host);

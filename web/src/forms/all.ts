@@ -1,9 +1,9 @@
 // The forms that the build made from the schemas of requests.
 
-import { unpackedText } from "../engine/unpack";
+import { packed } from "../engine/unpack";
 import type { ChangeForm, Field, Form, Forms } from "./declaration";
 
-const forms = JSON.parse(unpackedText("forms")) as Forms;
+const forms = JSON.parse(packed("forms")) as Forms;
 
 export const CHANGES: readonly ChangeForm[] = forms.changes;
 export const CALCULATOR: Form = forms.calculator;

@@ -1,13 +1,12 @@
 // The licences, which are unpacked when they are opened.
 
 import { byId } from "../dom/element";
-import { pageLoaded } from "../dom/loaded";
 import { unpackedText } from "../engine/unpack";
 
 export function footerView(): void {
   const details = byId("licences");
   const licenceText = byId("licences-shown");
   details.addEventListener("toggle", () => {
-    if (licenceText.textContent === "") void pageLoaded().then(() => (licenceText.textContent = unpackedText("licences-text")));
+    if (licenceText.textContent === "") licenceText.textContent = unpackedText("licences-text");
   });
 }

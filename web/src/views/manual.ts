@@ -2,14 +2,12 @@
 
 import { byId } from "../dom/element";
 import { parseHtml } from "../dom/markup";
-import { pageLoaded } from "../dom/loaded";
 import { unpackedText } from "../engine/unpack";
 import { readerDialog } from "./dialog";
 
 export function manualView(): void {
   const { dialog, body } = readerDialog("manual", "Manual of this page");
-  byId("read-manual").addEventListener("click", async () => {
-    await pageLoaded();
+  byId("read-manual").addEventListener("click", () => {
     if (!body.hasChildNodes()) body.append(parseHtml(unpackedText("manual-html"), 3));
     dialog.showModal();
   });
