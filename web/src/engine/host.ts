@@ -28,13 +28,16 @@ export class EngineHost {
     }
   }
 
-  /** Opens and changes an example in a separate engine, because browsers compile code when it first runs. */
-  warmUp(example: Uint8Array): void {
+  /** Opens and changes an example in a separate engine, in steps, because browsers compile code when it first runs. */
+  *warmUp(example: Uint8Array): Generator<void> {
     const engine = new Engine();
     engine.put("example.osim", example);
     engine.call(JSON.stringify({ do: "look", model: "example.osim", parts: ["feet", "scene"] }));
     const request = { verb: "rescale", models: ["example.osim"], target_mass: 500 };
-    engine.call(JSON.stringify({ do: "change", request, parts: ["changes", "plots", "scene", "falls"] }));
+    for (const part of ["changes", "plots", "scene", "falls"]) {
+      yield;
+      engine.call(JSON.stringify({ do: "change", request, parts: [part] }));
+    }
     engine.free();
   }
 

@@ -14,6 +14,10 @@ interface Scope {
 const scope = globalThis as unknown as Scope;
 const host = new EngineHost();
 let archive = new Archive();
+/** The steps of the warm-up that are left, and the timer of the next one. */
+let warmUp: Generator<void> | undefined;
+let nextStep: ReturnType<typeof setTimeout> | undefined;
+const REST_AFTER_FILE_MS = 500;
 
 scope.onmessage = ({ data: { id, task } }) => {
   const answer = handle(task);
@@ -28,6 +32,7 @@ function handle(task: Task): Answer<unknown> {
     return task.do === "start" ? startEngine(task.engine) : runTask(task, host);
   } catch (error) {
     host.restart();
+    warmUp = undefined;
     return { error: task.do === "put" ? tooLarge(task.name) : failureOfPage(error) };
   }
 }
@@ -39,8 +44,8 @@ function startEngine(packed: string): Answer<null> {
 
 function runTask(task: Exclude<Task, { do: "start" }>, engine: EngineHost): Answer<unknown> {
   switch (task.do) {
-    case "warm-up": return { ok: engine.warmUp(unpack(task.example)) ?? null };
-    case "put": return { ok: engine.put(task.name, task.bytes) ?? null };
+    case "warm-up": warmUp = engine.warmUp(unpack(task.example)); return { ok: warmUpAfter(0) ?? null };
+    case "put": warmUpAfter(REST_AFTER_FILE_MS); return { ok: engine.put(task.name, task.bytes) ?? null };
     case "remove": return { ok: engine.remove(task.name) ?? null };
     case "bytes": return { ok: engine.bytes(task.name) ?? null };
     case "call": return callEngine(engine, task.call);
@@ -50,6 +55,12 @@ function runTask(task: Exclude<Task, { do: "start" }>, engine: EngineHost): Answ
     case "zip-add": return addToZip(engine, task.request);
     case "zip-end": return { ok: archive.end() };
   }
+}
+
+/** Runs the other steps of the warm-up after a rest. Tasks come between the steps, and a page that is left ends them. */
+function warmUpAfter(rest: number): void {
+  clearTimeout(nextStep);
+  nextStep = setTimeout(() => warmUp?.next().done === false && warmUpAfter(0), rest);
 }
 
 function callEngine<T>(engine: EngineHost, call: Record<string, unknown>): Answer<T> {
