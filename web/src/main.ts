@@ -47,12 +47,13 @@ async function start(): Promise<void> {
   const session = new Session(new Client(await startedWorker));
   // The worker unpacks the engine while this thread makes the page.
   const started = session.engine.start(packed("engine"));
-  const stage = buildPage(session);
+  const buildModelViews = buildPage(session);
   await started;
-  void ready(session, stage);
+  void ready(session, buildModelViews);
 }
 
-function buildPage(session: Session): StageView {
+/** Builds the views, and gives what builds those of an open model. */
+function buildPage(session: Session): () => void {
   const announceUnreadable = (why: string) => session.announce(`This could not be read: ${why}.`);
   const open = (files: Parameters<typeof openFiles>[1]) => void openFiles(session, files).catch((error) => announceUnreadable(toFailure(error).message));
   const addFile = async (source: Source) => {
@@ -64,8 +65,6 @@ function buildPage(session: Session): StageView {
   showBusy(session.engine);
   showExplanations(session);
   new LibraryView(session, addFile);
-  const stage = new StageView(session);
-  new ModelView(session, addFile, stage.works);
   new ProposalView(session, addFile);
   new ResultView(session, addFile);
   changeView(session, addFile);
@@ -90,7 +89,11 @@ function buildPage(session: Session): StageView {
   showAnnouncements(session);
   warnBeforeLeaving(session);
   wireLivePreview(session);
-  return stage;
+  return () => {
+    const stage = new StageView(session);
+    new ModelView(session, addFile, stage.works);
+    stage.warmUp();
+  };
 }
 
 /** Keeps the preview and the address up to date with the form. */
@@ -121,12 +124,12 @@ async function openExample(session: Session): Promise<void> {
   await openRead(session, [{ name: EXAMPLE, bytes, kind: "model" }]);
 }
 
-async function ready(session: Session, stage: StageView): Promise<void> {
+async function ready(session: Session, buildModelViews: () => void): Promise<void> {
   document.documentElement.dataset["ready"] = "true";
   performance.mark("ready");
   session.engine.warmUp(packed("example"));
-  // After the page was drawn.
-  setTimeout(() => stage.warmUp(), 0);
+  // Before a model can be open. The view of the body waits for the graphics driver, which may start more slowly than the engine.
+  setTimeout(buildModelViews, 0);
   void showFalls(session);
   await refreshPresets(session);
 }
