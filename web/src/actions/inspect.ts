@@ -49,22 +49,32 @@ export async function inspectDetails(session: Session, id: number): Promise<void
 /** More models than this are not compared with one. */
 const MAX_ORIGINALS = 5;
 
-/** Finds the open model from which this one was scaled; unless the user has said it, the model is compared with that one from now on. */
+/**
+ * Finds the open models from which this one may have been scaled. Unless the user has said it, the model is compared with the only one from
+ * now on; of several, the user has to choose.
+ */
 export async function findOriginal(session: Session, id: number): Promise<string | undefined> {
   const model = session.findModel(id);
   const inspected = model?.inspected;
-  if (!model || !inspected || model.answers.get("from") !== undefined) return model?.answers.text("from");
+  const said = model?.answers.text("from") || undefined;
+  // What was found, and not said by the user, ends when another model fits, too.
+  if (!model || !inspected || (said !== undefined && said !== model.originals.join("\n"))) return said;
+  let isNew = false;
   const candidates = session.models.value.filter((other) => other.id !== id && !model.seen.has(other.origin) && mayBeOriginal(other, inspected));
   for (const other of candidates.slice(0, MAX_ORIGINALS)) {
     const from = currentFile(other);
     model.seen.add(other.origin);
     const compared = await session.engine.inspect(currentFile(model), { ...answersFor(model, QUESTIONS), from }, []).catch(() => null);
     if (!compared?.findings.some(({ remedy }) => remedy?.request.verb === "transfer")) continue;
-    model.answers.set("from", from);
-    if (session.chosen.value !== id) await inspect(session, id);
-    return from;
+    session.update(id, (open) => ({ ...open, originals: [...open.originals, from] }));
+    isNew = true;
   }
-  return undefined;
+  if (!isNew) return said;
+  const [found, ...others] = session.findModel(id)?.originals ?? [];
+  const only = others.length === 0 ? found : undefined;
+  model.answers.set("from", only ?? "");
+  if (session.chosen.value !== id) await inspect(session, id);
+  return only;
 }
 
 /** Whether a model has the bodies of another, and contacts that fit its own bodies. */

@@ -31,13 +31,15 @@ export interface OpenModel {
   readonly outcome: Outcome | null;
   /** Files of open models that were compared with this one, to find its original: each once. */
   readonly seen: Set<string>;
+  /** Those that may be its original. */
+  readonly originals: readonly string[];
 }
 
 let last = 0;
 
 export function newModel(origin: string): OpenModel {
   last += 1;
-  const start = { steps: [], stepCount: 0, inspected: null, failure: null, targetMass: "", outcome: null };
+  const start = { steps: [], stepCount: 0, originals: [], inspected: null, failure: null, targetMass: "", outcome: null };
   return { id: last, origin, answers: new Values(), seen: new Set(), ...start };
 }
 

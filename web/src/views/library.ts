@@ -41,6 +41,8 @@ export class LibraryView {
   readonly #title = el("h2", { id: "library-title" });
   readonly #shownRows = new Map<number, { model: OpenModel; chosen: boolean; mass: boolean; row: HTMLElement }>();
   readonly #question;
+  /** The original that the user has chosen for all. */
+  #saidOriginal = "";
   #isPair: boolean | undefined;
   #sorted = { column: "", down: false };
 
@@ -56,7 +58,10 @@ export class LibraryView {
     const buttons = el("div", { class: "buttons", role: "group", "aria-label": "All models" }, this.#massField, this.#changeAll, this.#zip);
     this.#box.append(el("summary", {}, this.#title), follow, buttons, this.#question.element, box);
     this.#section.append(this.#box);
-    this.#original.addEventListener("change", () => this.#updateButtons());
+    this.#original.addEventListener("change", () => {
+      this.#saidOriginal = this.#original.value;
+      this.#updateButtons();
+    });
     this.#mass.addEventListener("input", () => session.values.set("target_mass", this.#mass.value.trim()));
     session.models.watch(() => this.#update());
     session.chosen.watch((id) => {
@@ -130,13 +135,12 @@ export class LibraryView {
   #updateOriginals(models: readonly OpenModel[]): void {
     const names = models.map(currentFile);
     const found = models.map(({ answers }) => answers.text("from")).find((name) => names.includes(name)) ?? "";
-    const before = this.#original.value || found;
     const key = names.join("\n");
     if (this.#original.dataset["names"] !== key) {
       this.#original.replaceChildren(el("option", { value: "" }, "not set"), ...names.map((name) => el("option", { value: name }, name)));
       this.#original.dataset["names"] = key;
     }
-    this.#original.value = names.includes(before) ? before : "";
+    this.#original.value = names.includes(this.#saidOriginal) ? this.#saidOriginal : found;
   }
 
   /** Removes the outcomes of all models after the user edited the change in the form. */

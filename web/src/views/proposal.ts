@@ -54,7 +54,7 @@ export class ProposalView {
       this.#showsResult = false;
       this.#showFields(model);
     }
-    if (model.inspected.findings !== this.#model?.inspected?.findings) this.#show(model);
+    if (model.inspected.findings !== this.#model?.inspected?.findings || model.originals !== this.#model.originals) this.#show(model);
     this.#model = model;
   }
 
@@ -64,15 +64,16 @@ export class ProposalView {
     const request = model.inspected === null ? undefined : proposedRequest(model.inspected);
     const mass = inspection?.mass_kg;
     // The scaled bones show that there is an original, and nothing else shows whether the spheres followed.
-    const asks = !request && findings.some(({ code }) => code === "spheres-not-compared");
+    const unsure = model.originals.length > 1 && model.answers.text("from") === "";
+    const asks = !request && !unsure && findings.some(({ code }) => code === "spheres-not-compared");
     this.#original.classList.toggle("asks", asks);
     this.#original.hidden = bare;
     const lacks = model.inspected !== null && lacksContacts(model.inspected);
     setText(this.#title, lacks ? "Give it contacts" : bare ? "First correct the file" : "Scaled from another model?");
     this.#offers.replaceChildren(...(lacks ? this.#ways() : request ? [this.#offer(request, mass)] : []));
     const isWrong = findings.some(({ severity }) => severity !== "remark");
-    const advice = asks ? "Open its original to see whether the spheres followed the bones." : isWrong ? "Click a row above to see what to do." : NOTHING_WRONG;
-    setText(this.#note, this.#offers.hasChildNodes() ? "" : advice);
+    const advice = unsure ? `Several open models may be its original: choose ${model.originals.join(" or ")}.` : asks ? "Open its original to see whether the spheres followed the bones." : isWrong ? "Click a row above to see what to do." : NOTHING_WRONG;
+    setText(this.#note, this.#offers.hasChildNodes() && !unsure ? "" : advice);
   }
 
   /** The fields that say from which model this one was scaled. */

@@ -1,0 +1,55 @@
+// From step to step: the original that the user has to choose, and models that are closed meanwhile.
+
+import assert from "node:assert/strict";
+
+import { inChromium } from "./support/chromium.mjs";
+import { given } from "./support/places.mjs";
+
+const HUMAN = given("table1/human_62kg_smooth_sphere.osim", "human.osim");
+const SCALED = given("scale_tool/scaled_smooth.osim", "scaled.osim");
+const GENERIC = given("scale_tool/generic_smooth.osim", "generic.osim");
+
+inChromium("of several models that may be the original, the user chooses one", async (user) => {
+  await user.open(SCALED, GENERIC);
+  const from = user.proposal.getByLabel("Model that it was scaled from", { exact: true });
+  await user.proposal.getByRole("button", { name: /^Move the spheres/ }).waitFor();
+  await user.drop({ ...GENERIC, name: "other.osim" });
+  await user.proposal.getByText("Several open models may be its original: choose generic.osim or other.osim.").waitFor();
+  assert.equal(await from.inputValue(), "");
+  assert.equal(await user.page.getByLabel("All were scaled from").inputValue(), "");
+  await from.selectOption("other.osim");
+  await user.proposal.getByRole("button", { name: /^Move the spheres/ }).waitFor();
+  await user.drop({ ...GENERIC, name: "third.osim" });
+  await user.region("4 models").waitFor();
+  await user.settled();
+  assert.equal(await from.inputValue(), "other.osim", "what the user chose stays");
+});
+
+inChromium("the only model can be closed while it is opened and while a change of it is kept", async (user) => {
+  await user.choose([HUMAN]);
+  await user.button("Close human.osim").click();
+  await user.region("Drop a model here, or click").waitFor();
+  await user.open(HUMAN);
+  await user.field("Target mass (kg)").fill("80");
+  await user.done("human.scaled.osim");
+  await user.page.evaluate(() => {
+    document.getElementById("keep").click();
+    document.querySelector("[aria-label='Close human.osim']").click();
+  });
+  await user.region("Drop a model here, or click").waitFor();
+  await user.settled();
+  assert.equal(await user.page.getByRole("alert").filter({ visible: true }).count(), 0);
+  await user.open({ ...HUMAN, name: "next.osim" });
+  await user.field("Target mass (kg)").fill("70");
+  await user.done("next.scaled.osim");
+});
+
+inChromium("the only model can be closed, also while its change is computed", async (user) => {
+  await user.open(HUMAN);
+  await user.field("Target mass (kg)").fill("80");
+  await user.button("Close human.osim").click();
+  await user.region("Drop a model here, or click").waitFor();
+  await user.settled();
+  assert.equal(await user.acts.isVisible(), false);
+  assert.equal(await user.page.getByRole("alert").filter({ visible: true }).count(), 0);
+});
