@@ -1,4 +1,4 @@
-// From step to step: the original that the user has to choose, and models that are closed meanwhile.
+// From step to step: one blue button, the original that the user has to choose, and models that are closed meanwhile.
 
 import assert from "node:assert/strict";
 
@@ -8,6 +8,30 @@ import { given } from "./support/places.mjs";
 const HUMAN = given("table1/human_62kg_smooth_sphere.osim", "human.osim");
 const SCALED = given("scale_tool/scaled_smooth.osim", "scaled.osim");
 const GENERIC = given("scale_tool/generic_smooth.osim", "generic.osim");
+
+inChromium("one button is blue: the next one to press", async (user) => {
+  await user.page.waitForFunction(isOnlyBlue, "Open files…");
+  await user.open(SCALED);
+  await user.page.waitForFunction(isOnlyBlue, "Add a file… for “Model that it was scaled from”");
+  await user.drop(GENERIC);
+  const follow = "Move the spheres with the bones and make the contacts right for 52 kg";
+  await user.page.waitForFunction(isOnlyBlue, follow);
+  await user.button(follow).click();
+  await user.page.waitForFunction(isOnlyBlue, "Download scaled.scaled.osim");
+  await user.keep("scaled.scaled.osim");
+  await user.page.waitForFunction(isOnlyBlue, "Download scaled.scaled.osim");
+  await user.outcome.getByText("The change is kept. Download the model with the blue button below, or change more.").first().waitFor();
+});
+
+/** Inside the page: whether of all buttons only the one with this text has the colour of the next step. */
+function isOnlyBlue(text) {
+  const probe = document.body.appendChild(document.createElement("i"));
+  probe.style.color = "var(--accent)";
+  const { color } = getComputedStyle(probe);
+  probe.remove();
+  const all = [...document.querySelectorAll("button, .verb span")].filter((one) => one.checkVisibility() && getComputedStyle(one).backgroundColor === color);
+  return all.length === 1 && all[0].textContent === text;
+}
 
 inChromium("of several models that may be the original, the user chooses one", async (user) => {
   await user.open(SCALED, GENERIC);

@@ -145,9 +145,10 @@ function planPreview(session: Session): Plan {
   const { values } = session;
   const wrong = problems(form, values);
   if (wrong.size > 0) return hintPlan(correctFirst(form, wrong));
-  const missing = missingFields(form, values);
-  if (missing.length > 0) return hintPlan(`To see what would change, fill in ${quotedLabels(missing)}.`);
   const isFilled = !isEmpty(form, values) || hasOwnMass(session, form, model);
+  const missing = missingFields(form, values);
+  if (!isFilled && model.stepCount > 0 && (missing.length > 0 || NEEDS_INPUT.has(form.verb)) && !proposedRequest(model.inspected)) return hintPlan(KEPT_HINT);
+  if (missing.length > 0) return hintPlan(`To see what would change, fill in ${quotedLabels(missing)}.`);
   if (NEEDS_INPUT.has(form.verb) && !isFilled) return hintPlan(emptyHint(form, model.inspected));
   return { ask: requestFor(session, form, model) };
 }
@@ -158,6 +159,7 @@ const EMPTY_HINTS: Readonly<Record<string, string>> = {
   add: "Choose where the contacts come from: another model or a preset, a table, or the bodies that touch the ground.",
   design: "Say what you want, such as a relative indentation, to see what would change.",
 };
+const KEPT_HINT = "The change is kept. Download the model with the blue button below, or change more.";
 const NEEDS_INPUT = new Set(Object.keys(EMPTY_HINTS));
 
 function emptyHint({ verb }: Form, inspected: Inspected): string {

@@ -55,7 +55,7 @@ export class CorrectionView {
     const download = button(`Download ${names}`, () => {
       for (const [name, text] of files) save(name, text, name.endsWith(".xml") ? "application/xml" : "text/plain");
       this.session.announce(`Downloaded ${names}.`);
-    });
+    }, { class: "primary" });
     const which = choices("Shown motion", [["recorded", "As recorded"], ["corrected", "Corrected"]], "corrected", (one) => this.onCorrected(played ?? undefined, one === "corrected"));
     const offers = played ? [el("div", { class: "bar" }, which, download), el("p", { class: "quiet" }, "In a terminal: ", el("code", {}, command))] : [];
     this.#outcome.replaceChildren(

@@ -156,8 +156,10 @@ export class LibraryView {
     const scaled = Math.max(0, withContacts.length - 1);
     setText(this.#follow, `Move the spheres of ${counted(scaled, "model")} with the bones, and download a ZIP`);
     this.#follow.disabled = this.#original.value === "";
-    this.#follow.classList.toggle("primary", !can && !this.#follow.disabled);
-    this.#changeAll.classList.toggle("primary", can);
+    // Its own change is in the form after it was clicked.
+    const follows = !this.#follow.disabled && (!can || this.session.values.text("from") === this.#original.value);
+    this.#follow.classList.toggle("primary", follows);
+    this.#changeAll.classList.toggle("primary", can && !follows);
     setAttribute(this.#follow, "aria-disabled", this.session.changingAll.value && "true");
     for (const one of [this.#changeAll, this.#zip]) {
       one.disabled = !can;

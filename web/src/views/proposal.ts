@@ -26,6 +26,8 @@ export class ProposalView {
   readonly #offers = el("div", { class: "offers", role: "group", "aria-label": "Most likely" });
   readonly #note = el("p", { class: "quiet" });
   #model: OpenModel | undefined;
+  /** The verb of the first button. */
+  #verb = "";
   /** Whether the next result is that of the button, which may be below what is seen. */
   #showsResult = false;
   #refreshFields: (choices: boolean) => void = () => undefined;
@@ -38,6 +40,9 @@ export class ProposalView {
     session.chosen.watch(() => this.#update());
     session.files.watch(() => this.#refreshFields(true));
     session.preview.watch((preview) => {
+      // After its result, the next button to press is that of the download.
+      const isDone = preview.state === "done" && preview.request.verb === this.#verb;
+      this.#offers.firstElementChild?.classList.toggle("primary", !isDone);
       if (!this.#showsResult || !(preview.state === "failed" || (preview.state === "done" && preview.complete))) return;
       this.#showsResult = false;
       // Beside the body, the steps scroll in their own box.
@@ -70,6 +75,7 @@ export class ProposalView {
     this.#original.hidden = bare;
     const lacks = model.inspected !== null && lacksContacts(model.inspected);
     setText(this.#title, lacks ? "Give it contacts" : bare ? "First correct the file" : "Scaled from another model?");
+    this.#verb = request?.verb ?? "add";
     this.#offers.replaceChildren(...(lacks ? this.#ways() : request ? [this.#offer(request, mass)] : []));
     const isWrong = findings.some(({ severity }) => severity !== "remark");
     const advice = unsure ? `Several open models may be its original: choose ${model.originals.join(" or ")}.` : asks ? "Open its original to see whether the spheres followed the bones." : isWrong ? "Click a row above to see what to do." : NOTHING_WRONG;
