@@ -9,6 +9,8 @@ import { testWith } from "./support/skipping.mjs";
 import { User } from "./support/user.mjs";
 
 const HUMAN = given("table1/human_62kg_smooth_sphere.osim", "human.osim");
+const SCALED = given("scale_tool/scaled_smooth.osim", "scaled.osim");
+const GENERIC = given("scale_tool/generic_smooth.osim", "generic.osim");
 const BARE = given("feet/human_40000.osim", "bare.osim");
 const ONE_SCREEN = { width: 1280, height: 720 };
 
@@ -83,16 +85,6 @@ inChromium("a single property that changes is named", async (user) => {
   await user.outcome.getByText(/^constant_contact_force (×\S+ )?changes\.$/).first().waitFor();
 });
 
-inChromium("the only model can be closed, also while its change is computed", async (user) => {
-  await user.open(HUMAN);
-  await user.field("Target mass (kg)").fill("80");
-  await user.button("Close human.osim").click();
-  await user.region("Drop a model here, or click").waitFor();
-  await user.settled();
-  assert.equal(await user.acts.isVisible(), false);
-  assert.equal(await user.page.getByRole("alert").filter({ visible: true }).count(), 0);
-});
-
 inChromium("job: another mass, two actions to the download", async (user) => {
   await user.open(HUMAN);
   await user.button("horse, 545 kg", user.form).click();
@@ -110,7 +102,7 @@ inChromium("job: contacts that were made for another body, two actions", async (
 });
 
 inChromium("job: scaled from a model that is open, two actions", async (user) => {
-  const files = [given("scale_tool/scaled_smooth.osim", "scaled.osim"), given("scale_tool/generic_smooth.osim", "generic.osim")];
+  const files = [SCALED, GENERIC];
   await user.open(...files);
   await user.opened("scaled.osim");
   await user.button("Move the spheres with the bones and make the contacts right for 52 kg").click();
@@ -250,6 +242,27 @@ inChromium("on a telephone: before and after are in sight, and no text is smalle
     assert.ok(x + width <= 390, name);
   }
   assert.deepEqual(await user.page.evaluate(smallTexts), []);
+  await user.button("Share…", user.acts).click();
+  const command = user.page.getByRole("textbox", { name: "Command", exact: true });
+  await user.page.waitForFunction((one) => one.value !== "", await command.elementHandle());
+  assert.ok(await command.evaluate((one) => one.clientHeight > 30 && one.scrollHeight <= one.clientHeight), "the command is whole");
+});
+
+inChromium("on a telephone no table of centres or verdicts is wider than the screen", { width: 390, height: 844 }, async (user) => {
+  await user.open(SCALED, GENERIC);
+  await user.proposal.getByRole("button", { name: /^Move the spheres/ }).click();
+  await user.done("scaled.scaled.osim");
+  for (const name of ["Centres that move", "Verdicts"]) {
+    const table = user.result.getByRole("group", { name, exact: true });
+    await table.scrollIntoViewIfNeeded();
+    assert.ok(await table.evaluate((one) => one.scrollWidth <= one.clientWidth), name);
+    assert.ok((await table.getByRole("row").count()) === 7, name);
+  }
+});
+
+inChromium("why a fall cannot be computed is said with the names of fields", async (user) => {
+  await user.open(given("bad/mass_missing.osim"));
+  await user.page.getByText(/^Contacts of the model: .* give the mass of the model with the field “mass of the model”\.$/).waitFor();
 });
 
 /** Inside the page: the visible texts of less than 11 pixels. */
@@ -382,6 +395,16 @@ inChromium("without meshes a body has capsules for limbs and a wedge for each fo
   await user.button("Close human.osim").click();
   await user.open(BARE, ...["r_human_foot", "l_human_foot", "r_human_toes", "l_human_toes"].map((name) => given(`feet/Geometry/${name}.vtp`)));
   await drawn("^4 bones, 0 wedges, ");
+});
+
+inChromium("new spheres have a floor under them and feet around them before they are kept", async (user) => {
+  await user.open(BARE);
+  const canvas = user.page.locator("#stage-canvas");
+  assert.equal(await canvas.getAttribute("data-floor"), null);
+  await user.choose([GENERIC], user.button("Add a file… for “Source of the contacts”"));
+  await user.done("bare.scaled.osim");
+  assert.ok(Number(await canvas.getAttribute("data-floor")) > 0.5);
+  assert.match(await canvas.getAttribute("data-shapes"), /^0 bones, 2 wedges, /);
 });
 
 inChromium("meshes that are not here are named", async (user) => {

@@ -106,12 +106,18 @@ export class Stage {
 
   /** Shows the model before and after the change. */
   show(model: ShownModel): void {
-    const moved = this.#shown?.now !== model.now;
+    const before = this.#scene;
     this.#shown = model;
+    const moved = this.#scene !== before;
     if (moved) this.#rebuildBodies();
     this.#showSpheres(model);
-    if (moved) this.#showFloor(model.now);
+    if (moved) this.#showFloor(this.#scene ?? model.now);
     this.lift(0, 0);
+  }
+
+  /** What floor, feet and view are taken from: the model, or its change, if that gives it its first spheres. */
+  get #scene(): Scene | undefined {
+    return this.#shown?.now.spheres.length === 0 ? (this.#shown.after ?? this.#shown.now) : this.#shown?.now;
   }
 
   /** Lifts the new and the old spheres above their places at rest, m, for a fall. */
@@ -207,7 +213,7 @@ export class Stage {
 
   /** Turns the camera to a part of the model, from a direction. */
   look(at: ViewTarget, from: ViewDirection): void {
-    const scene = this.#shown?.now.spheres.length === 0 ? (this.#shown.after ?? this.#shown.now) : this.#shown?.now;
+    const scene = this.#scene;
     if (!scene) return;
     const spheres = scene.spheres.filter(({ side }) => at === "feet" || at === "body" || side === at || side === null);
     const points = spheres.map(({ centre_m: [x, y, z] }) => new Vector3(x, y, z));
@@ -284,7 +290,7 @@ export class Stage {
   #rebuildBodies(): void {
     for (const group of this.#bodyGroups.values()) clearGroup(group).removeFromParent();
     this.#bodyGroups.clear();
-    const scene = this.#shown?.now;
+    const scene = this.#scene;
     if (!scene) return;
     for (const { name, frame: [x, y, z, origin] } of scene.bodies) {
       const group = new Group();
@@ -309,7 +315,8 @@ export class Stage {
     let [wedges, capsules] = [0, 0];
     for (const foot of spheresOfFeet(scene.spheres)) {
       const [group, bodies] = [this.#bodyGroups.get(foot[0]?.body ?? ""), foot.map(({ body }) => body)];
-      if (!group || bodies.some((body) => withBones.has(body))) continue;
+      // A single ball is no foot.
+      if (!group || foot.length < 2 || bodies.some((body) => withBones.has(body))) continue;
       const wedge = new Mesh(footWedge(foot, joints, scene.axes), this.#materials.foot);
       wedge.geometry.applyMatrix4(group.matrix.clone().invert());
       group.add(wedge);
@@ -384,16 +391,18 @@ export class Stage {
 
   #showFloor(scene: Scene): void {
     clearGroup(this.#floor);
+    delete this.canvas.dataset["floor"];
     const height = floorHeight(scene);
     if (height === undefined) return;
     const up = new Vector3(...scene.axes[1]);
     const { middle, reach } = extent(scene.spheres.map(({ centre_m: centre }) => new Vector3(...centre)));
-    const size = 8 * Math.max(0.01, reach);
+    const size = 8 * Math.max(0.01, reach, ...scene.spheres.map(({ radius_m: radius }) => radius));
     const floor = grid(size, this.#colours.floor);
     floor.quaternion.setFromUnitVectors(new Vector3(0, 1, 0), up);
     floor.position.copy(middle).addScaledVector(up, height - middle.dot(up));
     floor.userData["cell"] = size / FLOOR_CELLS;
     this.#floor.add(floor);
+    this.canvas.dataset["floor"] = String(size);
   }
 }
 

@@ -3,6 +3,7 @@
 import { el, setText } from "../dom/element";
 import { digits } from "../dom/number";
 import type { Fall } from "../engine/space";
+import { findField, QUESTIONS } from "../forms/all";
 import { Curves } from "./curves";
 import { Player } from "./player";
 
@@ -55,7 +56,8 @@ export class FallView {
 function describeFall({ name, forces_bw: forces, why_not: why, heights_m: heights, radius_m: radius }: Fall): string {
   const which = NAMES[name] ?? name;
   const begin = which.charAt(0).toUpperCase() + which.slice(1);
-  if (why !== null) return `${begin}: ${why}.`;
+  const field = (whole: string, named: string) => findField(named, QUESTIONS)?.label.replace(/^.*$/, (label) => `the field “${label.toLowerCase()}”`) ?? whole;
+  if (why !== null) return `${begin}: ${why.replace(/`(\w+)`/g, field)}.`;
   const deepest = -Math.min(...heights);
   return `${begin}: at most ${digits(Math.max(...forces), 3)} body weights, up to ${digits(deepest * 1000, 3)} mm deep (${digits(deepest / radius, 2)} of the radius).`;
 }

@@ -37,7 +37,8 @@ export function shareDialog(session: Session): (request: Request) => void {
 
 function fillArea(area: HTMLTextAreaElement, text: string): void {
   area.value = text;
-  area.rows = Math.min(8, text.split("\n").length);
+  area.style.height = "";
+  area.style.height = `${Math.min(200, area.scrollHeight + 2)}px`;
 }
 
 function copyBox(title: string, setStatus: (text: string) => void): { element: HTMLElement; text: HTMLTextAreaElement } {
