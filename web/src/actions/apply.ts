@@ -61,6 +61,9 @@ function pageFailure(code: string, message: string): Failure {
 /** Properties that are said by name; the others are counted, if there are more than these. */
 const NAMED_PROPERTIES = ["radius", "stiffness", "dissipation"];
 
+/** Classes that have a common word. */
+const WORDS: Readonly<Record<string, string>> = { ContactHalfSpace: "floor", ContactSphere: "sphere" };
+
 /** What a change does, as a sentence: "12 spheres move; radius ×1.09, stiffness ×1.09 and 2 other properties change." */
 export function changeText({ record: { objects, changes: all }, unchanged }: Change): string {
   if (unchanged) return "Nothing to change.";
@@ -70,7 +73,7 @@ export function changeText({ record: { objects, changes: all }, unchanged }: Cha
   const kinds = [...new Set(objects.map(({ change, class: kind }) => `${change} ${kind}`))].map((key) => {
     const [change = "", kind = ""] = key.split(" ");
     const count = objects.filter((one) => one.change === change && one.class === kind).length;
-    return `${count} × ${kind} ${change}`;
+    return kind in WORDS ? `${counted(count, WORDS[kind] ?? "")} ${change}` : `${count} × ${kind} ${change}`;
   });
   const moved = changes.filter(({ property }) => property === "location").length;
   const properties = [...new Set(changes.map(({ property }) => property))].filter((property) => property !== "location");
