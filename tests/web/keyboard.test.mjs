@@ -36,6 +36,21 @@ inChromium("from opening a file to the download, without a pointer", async (user
   await makesTheSame(line, [HUMAN], [{ name: "human.scaled.osim", bytes }]);
 });
 
+inChromium("Ctrl+S in a field downloads what the form says now, not the result before", async (user) => {
+  await user.open(HUMAN);
+  const field = user.field("Target mass (kg)");
+  await field.fill("70");
+  await user.done("human.scaled.osim");
+  const download = user.page.waitForEvent("download");
+  await field.evaluate((one) => {
+    one.value = "80";
+    one.dispatchEvent(new Event("input", { bubbles: true }));
+    one.dispatchEvent(new KeyboardEvent("keydown", { key: "s", ctrlKey: true, bubbles: true, cancelable: true }));
+  });
+  const bytes = await readFile(await (await download).path());
+  await makesTheSame("osim-contact-scale rescale human.osim --target-mass 80", [HUMAN], [{ name: "human.scaled.osim", bytes }]);
+});
+
 inChromium("the first key leads past the head of the page", async (user) => {
   await user.page.keyboard.press("Tab");
   assert.equal(await focusedElement(user), "Skip to the content");

@@ -56,8 +56,9 @@ inChromium("the only model can be closed while it is opened and while a change o
   await user.open(HUMAN);
   await user.field("Target mass (kg)").fill("80");
   await user.done("human.scaled.osim");
-  await user.page.evaluate(() => {
+  await user.page.evaluate(async () => {
     document.getElementById("keep").click();
+    await new Promise((resolve) => setTimeout(resolve));
     document.querySelector("[aria-label='Close human.osim']").click();
   });
   await user.region("Drop a model here, or click").waitFor();

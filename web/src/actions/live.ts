@@ -42,7 +42,7 @@ export class LivePreview {
 
   /** Call this when the preview may be outdated. */
   changed = (): void => {
-    this.#isOutdated = true;
+    this.#isOutdated = this.session.isPreviewOld = true;
     this.#discardStale();
     clearTimeout(this.#restTimer);
     this.#restTimer = setTimeout(() => this.#refreshAll(), REST_BEFORE_PREVIEW_MS);
@@ -62,6 +62,7 @@ export class LivePreview {
       }
     } finally {
       this.#isAsking = false;
+      this.session.isPreviewOld = this.#isOutdated;
     }
   }
 
@@ -129,6 +130,11 @@ export class LivePreview {
       return { state: "failed", failure: toFailure(error) };
     }
   }
+}
+
+/** Waits until the preview is that of the form as it is now. */
+export async function previewOfForm(session: Session): Promise<void> {
+  while (session.isPreviewOld) await new Promise((resolve) => setTimeout(resolve, 20));
 }
 
 /** The verb and the model that a preview would be about. */

@@ -38,6 +38,8 @@ export class Session {
   /** The values of the calculator's form. */
   readonly calculation = new Values();
   readonly preview = new Signal<Preview>({ state: "none" });
+  /** Whether the form has changed since the preview was made. */
+  isPreviewOld = false;
   readonly calculating = new Signal(false);
   /** The last event, as a text to show and to announce. */
   readonly announcement = new Signal("");

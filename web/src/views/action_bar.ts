@@ -3,6 +3,7 @@
 import { redo, undo } from "../actions/apply";
 import { downloadModel, downloadReport, downloadResult } from "../actions/download";
 import { keepResult } from "../actions/keep";
+import { previewOfForm } from "../actions/live";
 import { button, byId, el, setText } from "../dom/element";
 import type { Failure, Request } from "../engine/types";
 import { QUESTIONS } from "../forms/all";
@@ -28,22 +29,24 @@ export function actionBar(session: Session): void {
     const model = session.model();
     return finishedPreview()?.request ?? (model?.inspected ? { ...answersFor(model, QUESTIONS), verb: "inspect", models: [currentFile(model)] } : undefined);
   };
-  const save = button("Download", () => {
+  // A button that is clicked while the result is computed waits for it: it never acts on a number that was changed since.
+  const act = (does: () => void) => () => void previewOfForm(session).then(does);
+  const save = button("Download", act(() => {
     const [change, model] = [finishedPreview(), session.model()];
     if (change) void downloadResult(session, change.request).then(fail);
     else if (model) void downloadModel(session, model).then(fail);
-  }, { class: "primary", id: "download" });
-  const keep = button("Keep and continue", () => void keepResult(session).then(fail), { id: "keep" });
+  }), { class: "primary", id: "download", "aria-keyshortcuts": "Control+S" });
+  const keep = button("Keep and continue", act(() => void keepResult(session).then(fail)), { id: "keep" });
   const back = button("Undo", () => keepFocus(back, () => undo(session)), { id: "undo", "aria-keyshortcuts": "Control+Z" });
   const forward = button("Redo", () => keepFocus(forward, () => redo(session)), { id: "redo", "aria-keyshortcuts": "Control+Shift+Z" });
-  const report = button("Report", () => {
+  const report = button("Report", act(() => {
     const request = subjectRequest();
     if (request) void downloadReport(session, request).then(fail);
-  }, { id: "report" });
-  const shareButton = button("Share…", () => {
+  }), { id: "report" });
+  const shareButton = button("Share…", act(() => {
     const request = subjectRequest();
     if (request) share(request);
-  }, { id: "share", "aria-haspopup": "dialog" });
+  }), { id: "share", "aria-haspopup": "dialog" });
   const toSteps = STEPS.map(([id, text]) => button(text, () => byId(id).scrollIntoView(), { class: "small" }));
   bar.append(el("div", { class: "to-steps", role: "group", "aria-label": "Steps of the work" }, ...toSteps), save, keep, back, forward, report, shareButton);
   const update = () => {
