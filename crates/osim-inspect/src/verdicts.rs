@@ -12,6 +12,7 @@ use osim_model::{FindingCode, MassSource, Model, Severity, Side, VerdictTopic};
 use serde::{Serialize, Serializer};
 
 use crate::inspection::{Inspection, StandingBody, step_in_words};
+use crate::rules::floors;
 use crate::{Figure, FindingWithRemedy, SphereFigures};
 
 /// What is right or wrong with a model in one topic.
@@ -172,11 +173,8 @@ fn judge_topic(
     let has_finding = |code| findings.iter().any(|found| found.code() == code);
     let (model, inspection) = (inspected.model, inspected.inspection);
     let is_of_other_class = model.forces().is_empty() && !model.carriers_of_other_classes().is_empty();
-    let is_gravity_wrong = findings.iter().any(|found| {
-        let is_about_gravity = matches!(found.code(), FindingCode::GravityTooLarge | FindingCode::OddGravity);
-        is_about_gravity && found.severity > Severity::Remark
-    });
-    let is_in_other_unit = is_gravity_wrong && inspection.figures.gravity_m_s2 == inspection.gravity_m_s2;
+    let all = findings.iter().map(|found| &found.finding);
+    let in_other_units = floors::are_figures_in_other_units(inspection, all);
     let follows_weight = matches!(on, VerdictTopic::Standing | VerdictTopic::Mass | VerdictTopic::Solver);
     let is_on_contacts =
         matches!(on, VerdictTopic::Mass | VerdictTopic::Sides | VerdictTopic::Sizes | VerdictTopic::Solver);
@@ -185,7 +183,7 @@ fn judge_topic(
     let reasons = [
         (has_finding(FindingCode::BareModel), "there are no contacts"),
         (is_of_other_class, "contacts of this class are not judged"),
-        (follows_weight && is_in_other_unit, "gravity has to be corrected first"),
+        (follows_weight && in_other_units, "gravity has to be corrected first"),
         (is_on_sides && has_finding(FindingCode::OddNumber), "OpenSim reads another number than is written"),
         (is_on_contacts && has_finding(FindingCode::UnknownName), "OpenSim does not know a name in the file"),
         (left_out.contains(&on) || is_one_side_misplaced(), "another finding has to be corrected first"),

@@ -74,8 +74,9 @@ fn collect_findings(
     let has_loose_body = has_finding(BodyWithoutJoint);
     let causes = [MasslessBody, HeavyFoot, MisplacedObject, FootSphereOnGround];
     let floors_of_model = Floors::of(model);
-    let odd_gravity = floors::find_odd_gravity(model, &floors_of_model);
-    let is_gravity_odd = odd_gravity.is_some_and(|finding| finding.severity > Severity::Remark);
+    let about_floors = apply_floor_rules(model, inspected, &floors_of_model);
+    let mut severe_about_floors = about_floors.iter().filter(|finding| finding.severity > Severity::Remark);
+    let is_gravity_odd = severe_about_floors.any(|finding| finding.code() == OddGravity);
     if has_loose_body || causes.into_iter().any(has_finding) || is_gravity_odd || are_numbers_exchanged(model)
     {
         remedies = remedies.none_yet();
@@ -89,7 +90,7 @@ fn collect_findings(
     // A body without a joint may be a copy, whose mass counts twice.
     let another_mass = another_mass.filter(|_| !has_loose_body);
     // Until mass, gravity and places are right, commands about single numbers would be wrong afterwards.
-    let in_other_units = is_gravity_odd || floors::find_too_large_gravity(model).is_some();
+    let in_other_units = floors::are_figures_in_other_units(inspected, about_floors.iter());
     let another_gravity = floors::find_gravity_sources_disagree(model, options).filter(|_| !in_other_units);
     let is_unsettled = mismatch.is_some() || another_mass.is_some() || another_gravity.is_some();
     // Figures of a sphere in millimetres, or of a copied sphere, have no meaning.
@@ -97,7 +98,7 @@ fn collect_findings(
     if is_unsettled || places.are_wrong() || of_odd_spheres.into_iter().any(has_finding) {
         remedies = remedies.none_yet();
     }
-    let mut findings = findings_about_model(model, inspected, &floors_of_model, &remedies);
+    let mut findings = findings_about_model(model, inspected, about_floors, &remedies);
     if are_bodies_of_another_mass(model, inspected, options) {
         findings.retain(|finding| finding.code() != OddRadius);
     }
@@ -105,8 +106,6 @@ fn collect_findings(
         let disagree = findings.iter_mut().filter(|finding| finding.code() == MassSourcesDisagree);
         disagree.for_each(|finding| finding.finding.message.push(&mismatch.clause_about_masses()));
     }
-    // Figures under a gravity in another unit, or of a property whose name is misspelt, are not judged.
-    let has_gravity = !in_other_units || options.stance.gravity_m_s2.is_some();
     let doubtful = [SphereInTwoForces, LeftRightSwapped];
     let too_stiff = depth::find_too_stiff_contacts(&FigureCheck::new(inspected, &remedies));
     let is_too_stiff = too_stiff.is_some_and(|finding| finding.severity > Severity::Remark);
@@ -114,7 +113,8 @@ fn collect_findings(
         // Numbers that suit forces which are doubled, on the other foot or in another unit are wrong without the fault.
         remedies = remedies.none_yet();
     }
-    if has_gravity && !has_finding(UnknownName) {
+    // Figures under a gravity in another unit, or of a property whose name is misspelt, are not judged.
+    if !in_other_units && !has_finding(UnknownName) {
         findings.extend(apply_figure_rules(&FigureCheck::new(inspected, &remedies)));
     }
     if [LeftRightDiffer, LeftRightPlaces, SpheresMisplaced].into_iter().any(has_finding) {
@@ -211,7 +211,7 @@ fn are_numbers_exchanged(model: &Model) -> bool {
 fn findings_about_model(
     model: &Model,
     inspected: &Inspection,
-    floors: &Floors,
+    about_floors: Vec<Finding>,
     remedies: &Remedies<'_>,
 ) -> Vec<FindingWithRemedy> {
     let sides = LazyCell::new(|| BothSides::of(model));
@@ -227,10 +227,8 @@ fn findings_about_model(
     let on_half_spaces = model.forces().iter().filter(|force| model.meets_half_space(force));
     let remarks = model.remarks_on(&on_half_spaces.map(|force| force.id).collect::<Vec<_>>());
     findings.extend(remarks.into_iter().map(FindingWithRemedy::from));
-    findings.extend(apply_floor_rules(model, floors).into_iter().map(FindingWithRemedy::from));
-    let no_gravity = floors::find_no_gravity(model, inspected, || floors.are_any());
-    let unknown = no_gravity.into_iter().chain(contacts::find_count_unknown(inspected));
-    findings.extend(unknown.map(FindingWithRemedy::from));
+    let others = about_floors.into_iter().chain(contacts::find_count_unknown(inspected));
+    findings.extend(others.map(FindingWithRemedy::from));
     findings
 }
 

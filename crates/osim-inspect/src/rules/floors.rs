@@ -4,7 +4,8 @@
 use osim_model::feet::{ContactPlane, STEEPEST_FLOOR_RAD};
 use osim_model::messages::{Input, four_significant, phrase, readable, shown, three_significant};
 use osim_model::{
-    Example, Finding, GravityFor, MissingFact, Model, Repair, Rule, Severity, are_equal_gravities,
+    Example, Finding, FindingCode, GravityFor, MissingFact, Model, Repair, Rule, Severity,
+    are_equal_gravities,
 };
 
 use crate::plane_judgement::{Floors, JudgedPlane, PlaneJudgement};
@@ -164,16 +165,12 @@ rule! { pub(crate) NO_GRAVITY: NoGravity, Error, Floor;
     example: Example::ElementText { tag: "gravity", good: "0 -9.81 0", bad: "0 0 0" },
 }
 
-/// Finds a model without gravity. `are_floors` says whether moving spheres press on any plane.
-pub(crate) fn find_no_gravity(
-    model: &Model,
-    inspected: &Inspection,
-    are_floors: impl FnOnce() -> bool,
-) -> Option<Finding> {
+/// Finds a model without gravity whose moving spheres press on a plane.
+pub(super) fn find_no_gravity(model: &Model, inspected: &Inspection, floors: &Floors) -> Option<Finding> {
     let gravity = inspected.gravity_m_s2.filter(|&gravity| gravity != 0.0);
     // The caller may also have given a gravity for the figures.
     let fact = MissingFact::Gravity { purpose: GravityFor::Figures };
-    let is_missing = gravity.or(inspected.figures.gravity_m_s2).is_none() && are_floors();
+    let is_missing = gravity.or(inspected.figures.gravity_m_s2).is_none() && floors.are_any();
     is_missing.then(|| Finding::new(&NO_GRAVITY, fact.phrase()).with_position(model.gravity_position()))
 }
 
@@ -194,7 +191,7 @@ const UNIT_FACTORS: [f64; 2] = [1000.0, 100.0];
 const GRAVITY_LIKE_ON_EARTH: std::ops::RangeInclusive<f64> = 5.0..=20.0;
 
 /// Finds a gravity that is probably in another unit.
-pub(crate) fn find_too_large_gravity(model: &Model) -> Option<Finding> {
+pub(super) fn find_too_large_gravity(model: &Model) -> Option<Finding> {
     let (gravity, size) = (model.gravity_m_s2?, model.gravity().filter(|&size| size > LARGEST_GRAVITY)?);
     let mut text = format!(
         "gravity is {} in the file, which OpenSim reads in m/s2: expected at most {} m/s2",
@@ -222,7 +219,7 @@ rule! { pub(crate) ODD_GRAVITY: OddGravity, Warning, Floor;
 }
 
 /// Finds a gravity that is unlike the Earth's. One that a planet or a moon has is right if the note says that the contacts are made for it.
-pub(crate) fn find_odd_gravity(model: &Model, floors: &Floors) -> Option<Finding> {
+pub(super) fn find_odd_gravity(model: &Model, floors: &Floors) -> Option<Finding> {
     let size = model.gravity().filter(|size| *size > 0.0 && *size <= LARGEST_GRAVITY && floors.are_any())?;
     let of_a_place = KNOWN_GRAVITY.contains(&size);
     let noted = model.note.as_ref().and_then(|note| note.gravity_m_s2);
@@ -233,6 +230,16 @@ pub(crate) fn find_odd_gravity(model: &Model, floors: &Floors) -> Option<Finding
     let text = format!("gravity is {} m/s2, that of the Earth 9.81 m/s2", readable(size));
     let finding = Finding::new(&ODD_GRAVITY, text).with_position(model.gravity_position());
     Some(if of_a_place { finding.with_severity(Severity::Remark) } else { finding })
+}
+
+/// Whether figures are those under a gravity in another unit: one of `findings` says so of the model's, and the caller gave no other one.
+pub(crate) fn are_figures_in_other_units<'f>(
+    inspected: &Inspection,
+    mut findings: impl Iterator<Item = &'f Finding>,
+) -> bool {
+    let is_of_model = inspected.figures.gravity_m_s2 == inspected.gravity_m_s2;
+    let is_about = |code| matches!(code, FindingCode::GravityTooLarge | FindingCode::OddGravity);
+    is_of_model && findings.any(|one| is_about(one.code()) && one.severity > Severity::Remark)
 }
 
 rule! { pub(crate) GRAVITY_NOT_DOWN: GravityNotDown, Error, Floor;

@@ -24,6 +24,7 @@ use osim_model::{Finding, FindingCode, Model, Rule};
 use osim_requests::Request;
 
 use crate::findings::{FindingWithRemedy, Remedies};
+use crate::inspection::Inspection;
 use crate::plane_judgement::Floors;
 use crate::sides::BothSides;
 pub use contacts::describe_unmatched_patterns;
@@ -196,13 +197,15 @@ fn apply_side_rules(model: &Model) -> Vec<Finding> {
 }
 
 /// Applies the rules about floors and about gravity towards them.
-pub(crate) fn apply_floor_rules(model: &Model, floors: &Floors) -> Vec<Finding> {
+pub(crate) fn apply_floor_rules(model: &Model, inspected: &Inspection, floors: &Floors) -> Vec<Finding> {
     let about_gravity = [
         floors::find_too_large_gravity(model),
         floors::find_gravity_not_into_floor(model, floors),
         floors::find_odd_gravity(model, floors),
     ];
-    about_gravity.into_iter().flatten().chain(FLOOR_RULES.iter().flat_map(|(_, find)| find(floors))).collect()
+    let about_floors = FLOOR_RULES.iter().flat_map(|(_, find)| find(floors));
+    let no_gravity = floors::find_no_gravity(model, inspected, floors);
+    about_gravity.into_iter().flatten().chain(about_floors).chain(no_gravity).collect()
 }
 
 /// Applies the rules about figures.

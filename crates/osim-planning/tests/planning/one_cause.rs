@@ -1,9 +1,9 @@
 //! One fault in a model is one error or warning, about the element that is wrong: what follows from it is not said beside it.
 
-use osim_inspect::Sign;
+use osim_inspect::{InspectOptions, Sign, Stance};
 use osim_model::{FindingCode, Severity};
 
-use crate::checks::{check_text, find, has, with_text_replaced};
+use crate::checks::{check_text, check_with, find, has, with_text_replaced};
 
 /// A human with the contacts of Falisse et al. (2022), six forces on each side.
 const HUMAN: &str = include_str!("../../../../fixtures/check/known_contacts.osim");
@@ -31,15 +31,19 @@ fn each_fault_is_said_once() {
     }
 }
 
-/// Under ten times the gravity these contacts sink in up to their centres, and nothing is wrong with them.
+/// Under ten times the gravity these contacts sink in up to their centres, and nothing is wrong with them. The caller may give the same.
 #[test]
 fn figures_under_a_gravity_that_is_wrong_are_not_judged() {
-    let found = check_text(&with_text_replaced(HUMAN, "<gravity>", ">0 -9.81 0<", ">0 -98.1 0<"));
-    let severe = found.findings.iter().filter(|one| one.severity > Severity::Remark);
-    assert_eq!(severe.map(|one| one.code()).collect::<Vec<_>>(), [FindingCode::OddGravity]);
-    let unknown = found.verdicts.iter().filter(|verdict| verdict.sign == Sign::Unknown);
-    let unknown: Vec<&str> = unknown.map(|verdict| verdict.on.as_str()).collect();
-    assert_eq!(unknown, ["standing", "mass", "solver"]);
+    let text = with_text_replaced(HUMAN, "<gravity>", ">0 -9.81 0<", ">0 -98.1 0<");
+    for gravity_m_s2 in [None, Some(98.1)] {
+        let stance = Stance { gravity_m_s2, ..Stance::default() };
+        let found = check_with("model.osim", &text, &InspectOptions { stance, ..InspectOptions::default() });
+        let severe = found.findings.iter().filter(|one| one.severity > Severity::Remark);
+        assert_eq!(severe.map(|one| one.code()).collect::<Vec<_>>(), [FindingCode::OddGravity]);
+        let unknown = found.verdicts.iter().filter(|verdict| verdict.sign == Sign::Unknown);
+        let unknown: Vec<&str> = unknown.map(|verdict| verdict.on.as_str()).collect();
+        assert_eq!(unknown, ["standing", "mass", "solver"]);
+    }
 }
 
 /// Numbers that suit the rest of the model would be wrong once the fault is gone: a stiffness in the place of a friction, and one of three
