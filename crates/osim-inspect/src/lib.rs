@@ -46,7 +46,7 @@ pub use figures::{Figure, FigureVisibility, Figures, LimbFigures, LimitCheck, Sp
 pub use findings::{
     ChangeableValues, CheckResult, ConsistencyRecord, CorrectedErrorRecord, Counts, FindingIndex,
     FindingWithRemedy, JointMomentsRecord, ResidualRecord, RootResidualRecord, all_findings, check_model,
-    check_without_remedies, codes_of_effects, sort_findings, without_effects,
+    check_without_remedies, sort_findings, without_effects,
 };
 pub use inspection::{
     BodyAtRest, Bottom, ContactsMass, Dimensionless, InspectedBody, InspectedFactors, InspectedForce,

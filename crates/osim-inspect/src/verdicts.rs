@@ -2,6 +2,7 @@
 //! or says that all is right.
 
 use std::cmp::Reverse;
+use std::collections::BTreeMap;
 
 use contact_scaling::limits;
 use osim_model::feet::{ContactPlane, DefaultPose};
@@ -132,12 +133,11 @@ impl InspectedModel<'_> {
     }
 }
 
-/// The verdicts on all topics of a model. `findings` must be sorted, the worst first; there are others on the topics `left_out`, which follow
-/// from them.
+/// The verdicts on all topics of a model. `findings` must be sorted, the worst first; those `left_out` follow from them, and have topics.
 pub(crate) fn answer_all(
     model: &Model,
     inspected: &Inspection,
-    (findings, left_out): (&[FindingWithRemedy], &[VerdictTopic]),
+    (findings, left_out): (&[FindingWithRemedy], &BTreeMap<FindingCode, Option<VerdictTopic>>),
 ) -> Vec<Verdict> {
     let inspected = InspectedModel { model, inspection: inspected };
     let all = VerdictTopic::OF_EVERY_MODEL.into_iter();
@@ -148,7 +148,7 @@ pub(crate) fn answer_all(
 fn judge_topic(
     on: VerdictTopic,
     inspected: &InspectedModel<'_>,
-    (findings, left_out): (&[FindingWithRemedy], &[VerdictTopic]),
+    (findings, left_out): (&[FindingWithRemedy], &BTreeMap<FindingCode, Option<VerdictTopic>>),
 ) -> Verdict {
     let mut deciding: Vec<&FindingWithRemedy> =
         findings.iter().filter(|found| found.rule.verdict == Some(on)).collect();
@@ -179,6 +179,7 @@ fn judge_topic(
     let is_on_contacts =
         matches!(on, VerdictTopic::Mass | VerdictTopic::Sides | VerdictTopic::Sizes | VerdictTopic::Solver);
     let is_on_sides = on == VerdictTopic::Sides;
+    let is_left_out = left_out.values().any(|topic| *topic == Some(on));
     let is_one_side_misplaced = || is_on_sides && findings.iter().any(is_about_places_on_one_side);
     let reasons = [
         (has_finding(FindingCode::BareModel), "there are no contacts"),
@@ -186,7 +187,7 @@ fn judge_topic(
         (follows_weight && in_other_units, "gravity has to be corrected first"),
         (is_on_sides && has_finding(FindingCode::OddNumber), "OpenSim reads another number than is written"),
         (is_on_contacts && has_finding(FindingCode::UnknownName), "OpenSim does not know a name in the file"),
-        (left_out.contains(&on) || is_one_side_misplaced(), "another finding has to be corrected first"),
+        (is_left_out || is_one_side_misplaced(), "another finding has to be corrected first"),
     ];
     if let Some((_, why)) = reasons.into_iter().find(|(applies, _)| *applies) {
         return Verdict::without_findings(on, Err(why.into()));

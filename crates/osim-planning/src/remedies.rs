@@ -3,9 +3,7 @@
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
-use osim_inspect::{
-    CheckResult, FindingIndex, FindingWithRemedy, InspectOptions, Inspection, codes_of_effects,
-};
+use osim_inspect::{CheckResult, FindingIndex, FindingWithRemedy, InspectOptions, Inspection};
 use osim_model::files::{FileName, Files, InMemory};
 use osim_model::{Finding, FindingCode, Model, Pattern, Repair, Severity};
 use osim_requests::options::OutputOptions;
@@ -143,7 +141,7 @@ impl RemedyTrials<'_> {
         let are_gone = its.iter().all(is_gone);
         let makes_forces = matches!(request, Request::Convert(_));
         // What followed from a fault that is gone now may have been left out before.
-        let mut unsaid = self.of_reference | &codes_of_effects(&before.findings);
+        let mut unsaid = self.of_reference | &before.left_out;
         // A foot that is uneven in the model before scaling can be so by more than the limit at another height.
         unsaid.extend(unsaid.contains(&FindingCode::UnlevelFoot).then_some(FindingCode::UnevenBottoms));
         let has_new_warnings = warnings_and_errors(after)

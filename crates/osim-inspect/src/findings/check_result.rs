@@ -1,6 +1,7 @@
 //! The result of `check`: data for the table, CSV, JSON and reports.
 
 use std::cmp::Reverse;
+use std::collections::BTreeSet;
 
 use osim_model::messages::{Phrase, counted};
 use osim_model::{Finding, FindingCode, Model, Severity, VerdictTopic};
@@ -40,6 +41,10 @@ pub struct CheckResult {
     #[serde(skip)]
     #[cfg_attr(feature = "schemas", schemars(skip))]
     pub steps: Vec<Request>,
+    /// The codes of warnings and errors that were left out, because they follow from other findings.
+    #[serde(skip)]
+    #[cfg_attr(feature = "schemas", schemars(skip))]
+    pub left_out: BTreeSet<FindingCode>,
     /// How many errors and warnings are gone after all [`steps`](Self::steps).
     #[serde(skip)]
     #[cfg_attr(feature = "schemas", schemars(skip))]
@@ -221,6 +226,7 @@ impl CheckResult {
             findings,
             commands: Vec::new(),
             steps,
+            left_out: left_out.into_keys().collect(),
             corrected: 0,
             beside_real_feet: inspected.beside_real_feet(),
             similarity: None,

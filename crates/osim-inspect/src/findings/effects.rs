@@ -1,6 +1,7 @@
 //! Leaves out findings that only follow from other findings, so that `check` reports each cause once.
 
-use std::collections::BTreeSet;
+use std::cell::LazyCell;
+use std::collections::{BTreeMap, BTreeSet};
 
 use osim_model::{FindingCode, Force, Model, Severity, VerdictTopic};
 
@@ -36,12 +37,17 @@ const EFFECTS_OF_MISREAD_SPHERE: [FindingCode; 9] = [
     UnevenBottoms,
 ];
 
-/// What follows from an odd radius for its sphere.
-const EFFECTS_OF_ODD_RADIUS: [FindingCode; 4] =
-    [ForceBeforeContact, LargeConstantIndentation, TooStiff, WideTransition];
-
-/// Causes by which the contacts of two sides differ.
-const CAUSES_OF_UNLIKE_SIDES: [FindingCode; 3] = [NotFinite, OddRadius, OutOfDomain];
+/// The codes of what can cause a finding of `code` about the same forces and spheres.
+const fn causes_on_elements(code: FindingCode) -> &'static [FindingCode] {
+    match code {
+        LeftRightDiffer => &[NotFinite, OddRadius, OutOfDomain],
+        LeftRightPlaces => &[OddPlace, SpheresMisplaced],
+        OddPlace => &[SpheresMisplaced],
+        SpheresMisplaced => &[OddPlace],
+        ForceBeforeContact | LargeConstantIndentation | TooStiff | WideTransition => &[OddRadius],
+        _ => &[],
+    }
+}
 
 /// The warnings and errors among `findings` that have one of these codes.
 fn with_codes<'f>(findings: &'f [FindingWithRemedy], codes: &[FindingCode]) -> Vec<&'f FindingWithRemedy> {
@@ -49,30 +55,15 @@ fn with_codes<'f>(findings: &'f [FindingWithRemedy], codes: &[FindingCode]) -> V
     severe.filter(|one| codes.contains(&one.code())).collect()
 }
 
-/// The codes of warnings and errors that may be left out beside `findings`, because they follow from these.
-pub fn codes_of_effects(findings: &[FindingWithRemedy]) -> BTreeSet<FindingCode> {
-    let of_elements: [(&[FindingCode], &[FindingCode]); 5] = [
-        (&[OddPlace, SpheresMisplaced], &[LeftRightPlaces, OddPlace, SpheresMisplaced]),
-        (&[OddNumber], &EFFECTS_OF_MISREAD_FORCE),
-        (&[OddNumber], &EFFECTS_OF_MISREAD_SPHERE),
-        (&[OddRadius], &EFFECTS_OF_ODD_RADIUS),
-        (&CAUSES_OF_UNLIKE_SIDES, &[LeftRightDiffer]),
-    ];
-    let all = EFFECTS.iter().chain(&of_elements);
-    let caused = all.filter(|(causes, _)| !with_codes(findings, causes).is_empty());
-    caused.flat_map(|(_, effects)| effects.iter().copied()).collect()
-}
-
-/// The findings about `model`, without warnings and errors that only follow from others, and the topics of these. A warning hides no error.
+/// The findings about `model`, without warnings and errors that only follow from others, and the codes that have no finding any more, with
+/// their topics. A warning hides no error.
 pub fn without_effects(
     model: &Model,
     findings: Vec<FindingWithRemedy>,
-) -> (Vec<FindingWithRemedy>, Vec<VerdictTopic>) {
-    let topics: Vec<_> = findings.iter().map(|one| (one.code(), one.rule.verdict)).collect();
+) -> (Vec<FindingWithRemedy>, BTreeMap<FindingCode, Option<VerdictTopic>>) {
+    let mut left_out: BTreeMap<_, _> = findings.iter().map(|one| (one.code(), one.rule.verdict)).collect();
     let kept = without_effects_on_elements(model, without_effects_anywhere(model, findings));
-    let is_left_out = |code| kept.iter().all(|one| one.code() != code);
-    let left_out = topics.into_iter().filter(|(code, _)| is_left_out(*code)).filter_map(|(_, topic)| topic);
-    let left_out = left_out.collect();
+    left_out.retain(|code, _| kept.iter().all(|one| one.code() != *code));
     (kept, left_out)
 }
 
@@ -111,43 +102,37 @@ fn without_effects_on_elements(
     model: &Model,
     mut findings: Vec<FindingWithRemedy>,
 ) -> Vec<FindingWithRemedy> {
-    let spheres_with = |codes: &[FindingCode], are_compared: bool| -> BTreeSet<String> {
-        // Places that were compared with those of another model have a sentence for each sphere.
-        let all = with_codes(&findings, codes).into_iter();
-        let all = all.filter(|one| !are_compared || !one.details.is_empty());
-        all.flat_map(|one| one.spheres.clone()).collect()
-    };
-    let (odd_radii, odd_places) = (spheres_with(&[OddRadius], false), spheres_with(&[OddPlace], false));
-    let compared = spheres_with(&[SpheresMisplaced], true);
-    let misplaced = spheres_with(&[OddPlace, SpheresMisplaced], false);
-    let wrong_forces = forces_of(model, &with_codes(&findings, &CAUSES_OF_UNLIKE_SIDES));
-    let sides = (!wrong_forces.is_empty() || !misplaced.is_empty()).then(|| BothSides::of(model));
-    let has_wrong_force = |path: &String| {
-        let Some((sides, left)) = sides.as_ref().and_then(|sides| Some((sides, sides.force(path)?))) else {
+    let sides = LazyCell::new(|| BothSides::of(model));
+    // Places that were compared with those of another model have a sentence for each sphere.
+    let is_compared = |place: &FindingWithRemedy| !place.details.is_empty();
+    let is_effect = |one: &FindingWithRemedy| {
+        let mut causes = with_codes(&findings, causes_on_elements(one.code()));
+        causes.retain(|cause| match one.code() {
+            OddPlace => is_compared(cause),
+            SpheresMisplaced => !is_compared(one),
+            _ => true,
+        });
+        if one.severity == Severity::Remark || causes.is_empty() {
             return false;
+        }
+        let spheres: BTreeSet<&String> = causes.iter().flat_map(|cause| &cause.spheres).collect();
+        if one.code() == LeftRightDiffer {
+            let wrong = forces_of(model, &causes);
+            let is_wrong = |force: Option<&Force>| force.is_some_and(|force| wrong.contains(&force.path));
+            return one.paths().all(|path| {
+                let left = sides.force(path);
+                is_wrong(left) || is_wrong(left.and_then(|left| sides.right_counterpart(left)))
+            });
+        }
+        let is_wrong = |sphere: &String| {
+            let is_of_pair = one.code() == LeftRightPlaces;
+            let other = is_of_pair.then(|| sides.counterpart(sphere)).flatten();
+            spheres.contains(sphere) || other.is_some_and(|other| spheres.contains(&other.name))
         };
-        let right = sides.right_counterpart(left);
-        wrong_forces.contains(&left.path) || right.is_some_and(|right| wrong_forces.contains(&right.path))
+        !one.spheres.is_empty() && one.spheres.iter().all(is_wrong)
     };
-    let is_pair_misplaced = |left: &String| {
-        let mut pairs = sides.iter().flat_map(|sides| &sides.pairs);
-        let pair = pairs.find(|pair| pair.left.sphere.name == *left);
-        misplaced.contains(left) || pair.is_some_and(|pair| misplaced.contains(&pair.right.sphere.name))
-    };
-    findings.retain(|one| {
-        let code = one.code();
-        let are_in = |spheres: &BTreeSet<String>| {
-            !one.spheres.is_empty() && one.spheres.iter().all(|sphere| spheres.contains(sphere))
-        };
-        let is_of_elements = match code {
-            LeftRightDiffer => one.paths().all(has_wrong_force),
-            LeftRightPlaces => !one.spheres.is_empty() && one.spheres.iter().all(is_pair_misplaced),
-            OddPlace => are_in(&compared),
-            SpheresMisplaced => one.details.is_empty() && are_in(&odd_places),
-            _ => EFFECTS_OF_ODD_RADIUS.contains(&code) && are_in(&odd_radii),
-        };
-        one.severity == Severity::Remark || !is_of_elements
-    });
+    let mut are_effects = findings.iter().map(is_effect).collect::<Vec<_>>().into_iter();
+    findings.retain(|_| are_effects.next() != Some(true));
     findings
 }
 

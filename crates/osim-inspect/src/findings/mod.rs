@@ -11,7 +11,7 @@ pub use check_result::{
     CheckResult, ConsistencyRecord, CorrectedErrorRecord, Counts, JointMomentsRecord, ResidualRecord,
     RootResidualRecord, sort_findings,
 };
-pub use effects::{codes_of_effects, without_effects};
+pub use effects::without_effects;
 pub use finding::{FindingIndex, FindingWithRemedy};
 pub use remedy::ChangeableValues;
 pub(crate) use remedy::{

@@ -65,6 +65,13 @@ impl<'m> BothSides<'m> {
         self.set_pairs_of(left).first().map(|pair| pair.right.0)
     }
 
+    /// The counterpart of the sphere with this name.
+    pub(crate) fn counterpart(&self, name: &str) -> Option<&'m Sphere> {
+        let pairs = self.pairs.iter().map(|pair| (pair.left.sphere, pair.right.sphere));
+        let mut both_ways = pairs.flat_map(|(left, right)| [(left, right), (right, left)]);
+        both_ways.find(|(one, _)| one.name == name).map(|(_, other)| other)
+    }
+
     /// The forces of one side that have counterparts, in file order.
     pub(crate) fn forces_on(&self, side: Side) -> Vec<ForceId> {
         let force_on_side =

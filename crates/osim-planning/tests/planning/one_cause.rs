@@ -31,6 +31,15 @@ fn each_fault_is_said_once() {
     }
 }
 
+/// A change is not blamed for what was hidden before it, but for all else: an odd radius can make contacts too stiff, and does not here.
+#[test]
+fn codes_that_were_left_out_are_those_of_this_model() {
+    let sphere = "ContactSphere name=\"s1_r\"";
+    let left_out = check_text(&with_text_replaced(HUMAN, sphere, ">0.032<", ">0.32<")).left_out;
+    assert!(left_out.contains(&FindingCode::LeftRightDiffer), "{left_out:?}");
+    assert!(!left_out.contains(&FindingCode::TooStiff), "{left_out:?}");
+}
+
 /// Under ten times the gravity these contacts sink in up to their centres, and nothing is wrong with them. The caller may give the same.
 #[test]
 fn figures_under_a_gravity_that_is_wrong_are_not_judged() {
