@@ -69,14 +69,18 @@ pub fn without_effects(
 
 /// The findings without what follows from others anywhere in the model.
 fn without_effects_anywhere(model: &Model, mut findings: Vec<FindingWithRemedy>) -> Vec<FindingWithRemedy> {
-    let misread: BTreeSet<String> =
-        with_codes(&findings, &[OddNumber]).iter().flat_map(|one| one.paths().cloned()).collect();
+    let paths = |codes: &[FindingCode]| -> BTreeSet<String> {
+        with_codes(&findings, codes).iter().flat_map(|one| one.paths().cloned()).collect()
+    };
+    let (misread, unusable) = (paths(&[OddNumber]), paths(&[NotFinite, OddNumber, OutOfDomain]));
     let misreads_force = model.forces().iter().any(|force| misread.contains(&force.path));
     let misreads_sphere = model.spheres().iter().any(|sphere| misread.contains(&sphere.path));
+    let has_unusable_mass = model.bodies().iter().any(|body| unusable.contains(&body.path));
     findings.retain(|one| {
         let is_of_force = misreads_force && EFFECTS_OF_MISREAD_FORCE.contains(&one.code());
         let is_of_sphere = misreads_sphere && EFFECTS_OF_MISREAD_SPHERE.contains(&one.code());
-        one.severity == Severity::Remark || !(is_of_force || is_of_sphere)
+        let is_of_body = has_unusable_mass && one.code() == MassUnknown;
+        one.severity == Severity::Remark || !(is_of_force || is_of_sphere || is_of_body)
     });
     // A sphere of the other side is in two forces: in its own, and in one that is not.
     let is_in_three = |path: &String| {

@@ -91,7 +91,7 @@ rule! { pub(crate) MASS_UNKNOWN: MassUnknown, Warning, Mass;
     why: "Every factor follows from these masses.",
     advice: "Give `mass=KG` or `contacts_mass=KG`, or correct the masses of the bodies",
     repair: Repair::NotPossible("only you know the mass of the model"),
-    example: Example::ElementText { tag: "mass", good: "61.5", bad: "-1" },
+    example: Example::ElementText { tag: "mass", good: "61.5", bad: "0" },
 }
 
 rule! { pub(crate) STALE_NOTE: StaleNote, Remark, Mass;

@@ -1,12 +1,18 @@
 //! One fault in a model is one error or warning, about the element that is wrong: what follows from it is not said beside it.
 
-use osim_inspect::{InspectOptions, Sign, Stance};
+use osim_inspect::{CheckResult, InspectOptions, Sign, Stance};
 use osim_model::{FindingCode, Severity};
 
 use crate::checks::{check_text, check_with, find, has, with_text_replaced};
 
 /// A human with the contacts of Falisse et al. (2022), six forces on each side.
 const HUMAN: &str = include_str!("../../../../fixtures/check/known_contacts.osim");
+
+/// The codes of all errors and warnings.
+fn severe_codes(found: &CheckResult) -> Vec<FindingCode> {
+    let severe = found.findings.iter().filter(|one| one.severity > Severity::Remark);
+    severe.map(|one| one.code()).collect()
+}
 
 #[test]
 fn each_fault_is_said_once() {
@@ -22,12 +28,23 @@ fn each_fault_is_said_once() {
         (edited("\"contact_s1_l\"", "/s1_l<", "/s1_r<"), SphereOfOtherSide, "/forceset/contact_s1_l"),
     ] {
         let found = check_text(&text);
-        let severe = found.findings.iter().filter(|one| one.severity > Severity::Remark);
-        assert_eq!(severe.map(|one| one.code()).collect::<Vec<_>>(), [code], "{:?}", found.findings);
+        assert_eq!(severe_codes(&found), [code], "{:?}", found.findings);
         assert_eq!(find(&found, code).place.as_deref(), Some(place));
         // Nothing is called good that was not judged.
         let sides = found.verdicts.iter().find(|verdict| verdict.on.as_str() == "sides").unwrap();
         assert_ne!(sides.sign, Sign::Good, "{:?}", sides.text);
+    }
+}
+
+#[test]
+fn a_mass_that_cannot_be_used_is_said_once() {
+    use FindingCode::{NotFinite, OddNumber, OutOfDomain};
+    for (mass, code) in [("NaN", NotFinite), ("abc", OddNumber), ("-1", OutOfDomain)] {
+        let pelvis = "Body name=\"pelvis\"";
+        let found = check_text(&with_text_replaced(HUMAN, pelvis, ">60<", &format!(">{mass}<")));
+        assert_eq!(severe_codes(&found), [code], "{:?}", found.findings);
+        let weight = found.verdicts.iter().find(|verdict| verdict.on.as_str() == "mass").unwrap();
+        assert_eq!(weight.sign, Sign::Unknown, "{:?}", weight.text);
     }
 }
 
@@ -47,8 +64,7 @@ fn figures_under_a_gravity_that_is_wrong_are_not_judged() {
     for gravity_m_s2 in [None, Some(98.1)] {
         let stance = Stance { gravity_m_s2, ..Stance::default() };
         let found = check_with("model.osim", &text, &InspectOptions { stance, ..InspectOptions::default() });
-        let severe = found.findings.iter().filter(|one| one.severity > Severity::Remark);
-        assert_eq!(severe.map(|one| one.code()).collect::<Vec<_>>(), [FindingCode::OddGravity]);
+        assert_eq!(severe_codes(&found), [FindingCode::OddGravity]);
         let unknown = found.verdicts.iter().filter(|verdict| verdict.sign == Sign::Unknown);
         let unknown: Vec<&str> = unknown.map(|verdict| verdict.on.as_str()).collect();
         assert_eq!(unknown, ["standing", "mass", "solver"]);
