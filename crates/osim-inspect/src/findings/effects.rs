@@ -13,7 +13,7 @@ use FindingCode::*;
 /// Codes of causes, and the codes of what follows from them anywhere in the model, in the order in which they are left out. If something
 /// else causes it, too, that is found once the first cause is gone.
 const EFFECTS: [(&[FindingCode], &[FindingCode]); 6] = [
-    (&[MasslessBody], &[ContactsOfAnotherMass]),
+    (&[MasslessBody], &[ContactsOfAnotherMass, Floats, ForceBeforeContact, TooStiff]),
     (&[SphereInTwoForces, DoubledSpheres], &[Floats, ForceBeforeContact]),
     (&[SphereOfOtherSide], &[SphereInTwoForces, LeftRightMissing]),
     (&[LeftRightSwapped], &[SpheresMisplaced]),
@@ -44,7 +44,8 @@ const fn causes_on_elements(code: FindingCode) -> &'static [FindingCode] {
         LeftRightPlaces => &[OddPlace, SpheresMisplaced],
         OddPlace => &[SpheresMisplaced],
         SpheresMisplaced => &[OddPlace],
-        ForceBeforeContact | LargeConstantIndentation | TooStiff | WideTransition => &[OddRadius],
+        SunkIn => &[OddPlace, OddRadius, SpheresMisplaced],
+        Floats | ForceBeforeContact | LargeConstantIndentation | TooStiff | WideTransition => &[OddRadius],
         _ => &[],
     }
 }
@@ -56,7 +57,7 @@ fn with_codes<'f>(findings: &'f [FindingWithRemedy], codes: &[FindingCode]) -> V
 }
 
 /// The findings about `model`, without warnings and errors that only follow from others, and the codes that have no finding any more, with
-/// their topics. A warning hides no error.
+/// their topics.
 pub fn without_effects(
     model: &Model,
     findings: Vec<FindingWithRemedy>,
@@ -65,6 +66,20 @@ pub fn without_effects(
     let kept = without_effects_on_elements(model, without_effects_anywhere(model, findings));
     left_out.retain(|code, _| kept.iter().all(|one| one.code() != *code));
     (kept, left_out)
+}
+
+/// Takes warnings and errors that follow from those with the codes `causes` out of `findings`. A warning hides no error: it becomes one.
+fn leave_out(
+    findings: &mut Vec<FindingWithRemedy>,
+    causes: &[FindingCode],
+    is_effect: impl Fn(&FindingWithRemedy) -> bool,
+) {
+    let effects = findings.extract_if(.., |one| one.severity > Severity::Remark && is_effect(one));
+    let worst = effects.map(|one| one.severity).max();
+    let severe = findings.iter_mut().filter(|one| one.severity > Severity::Remark);
+    for cause in severe.filter(|one| causes.contains(&one.code())) {
+        cause.finding.severity = cause.severity.max(worst.unwrap_or(cause.severity));
+    }
 }
 
 /// The findings without what follows from others anywhere in the model.
@@ -88,14 +103,12 @@ fn without_effects_anywhere(model: &Model, mut findings: Vec<FindingWithRemedy>)
         named.filter(|sphere| sphere.path == *path).count() > 2
     };
     for (causes, effects) in EFFECTS {
-        let Some(worst) = with_codes(&findings, causes).iter().map(|one| one.severity).max() else {
+        if with_codes(&findings, causes).is_empty() {
             continue;
-        };
-        findings.retain(|one| {
-            one.severity == Severity::Remark
-                || one.severity > worst
-                || !effects.contains(&one.code())
-                || (one.code() == SphereInTwoForces && one.paths().any(is_in_three))
+        }
+        leave_out(&mut findings, causes, |one| {
+            let is_of_its_own = one.code() == SphereInTwoForces && one.paths().any(is_in_three);
+            effects.contains(&one.code()) && !is_of_its_own
         });
     }
     findings
@@ -135,8 +148,11 @@ fn without_effects_on_elements(
         };
         !one.spheres.is_empty() && one.spheres.iter().all(is_wrong)
     };
-    let mut are_effects = findings.iter().map(is_effect).collect::<Vec<_>>().into_iter();
-    findings.retain(|_| are_effects.next() != Some(true));
+    let effects: Vec<FindingWithRemedy> = findings.iter().filter(|one| is_effect(one)).cloned().collect();
+    for effect in effects {
+        let is_it = |one: &FindingWithRemedy| one.code() == effect.code() && one.message == effect.message;
+        leave_out(&mut findings, causes_on_elements(effect.code()), is_it);
+    }
     findings
 }
 

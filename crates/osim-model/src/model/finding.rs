@@ -29,7 +29,7 @@ use crate::xml::TextPosition;
 #[must_use]
 pub struct Finding {
     pub rule: &'static Rule,
-    /// The severity of the rule, or a lower one for the published state of known contacts.
+    /// The severity of the rule, or of what follows from the finding; a lower one for the published state of known contacts.
     pub severity: Severity,
     pub message: Phrase,
     pub why: Phrase,
