@@ -44,7 +44,7 @@ const fn causes_on_elements(code: FindingCode) -> &'static [FindingCode] {
         LeftRightPlaces => &[OddPlace, SpheresMisplaced],
         OddPlace => &[SpheresMisplaced],
         SpheresMisplaced => &[OddPlace],
-        SunkIn => &[OddPlace, OddRadius, SpheresMisplaced],
+        SunkIn => &[ContactsOfAnotherMass, OddPlace, OddRadius, SpheresMisplaced],
         Floats | ForceBeforeContact | LargeConstantIndentation | TooStiff | WideTransition => &[OddRadius],
         _ => &[],
     }
@@ -131,6 +131,10 @@ fn without_effects_on_elements(
         });
         if one.severity == Severity::Remark || causes.is_empty() {
             return false;
+        }
+        // All spheres carry the mass.
+        if causes.iter().any(|cause| cause.code() == ContactsOfAnotherMass) {
+            return true;
         }
         let spheres: BTreeSet<&String> = causes.iter().flat_map(|cause| &cause.spheres).collect();
         if one.code() == LeftRightDiffer {

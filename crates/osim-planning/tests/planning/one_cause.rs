@@ -38,13 +38,14 @@ fn each_fault_is_said_once() {
 
 #[test]
 fn a_warning_from_which_an_error_follows_is_an_error() {
-    use FindingCode::{MasslessBody, OddPlace, OddRadius};
+    use FindingCode::{ContactsOfAnotherMass, MasslessBody, OddPlace, OddRadius};
     let (sphere, pelvis) = ("ContactSphere name=\"s1_r\"", "Body name=\"pelvis\"");
     for (start, old, new, code) in [
         (sphere, " -0.01 ", " -10 ", OddPlace),
         (sphere, ">0.032<", ">32<", OddRadius),
         (sphere, ">0.032<", ">0.000032<", OddRadius),
         (pelvis, ">60<", ">0<", MasslessBody),
+        (pelvis, ">60<", ">500<", ContactsOfAnotherMass),
     ] {
         let found = check_text(&with_text_replaced(HUMAN, start, old, new));
         assert_eq!(severe_codes(&found), [code], "{:?}", found.findings);
