@@ -44,7 +44,7 @@ const fn causes_on_elements(code: FindingCode) -> &'static [FindingCode] {
         LeftRightPlaces => &[OddPlace, SpheresMisplaced],
         OddPlace => &[SpheresMisplaced],
         SpheresMisplaced => &[OddPlace],
-        SunkIn => &[ContactsOfAnotherMass, OddPlace, OddRadius, SpheresMisplaced],
+        SunkIn => &[ContactsOfAnotherMass, LeftRightPlaces, OddPlace, OddRadius, SpheresMisplaced],
         Floats | ForceBeforeContact | LargeConstantIndentation | TooStiff | WideTransition => &[OddRadius],
         _ => &[],
     }
@@ -146,9 +146,11 @@ fn without_effects_on_elements(
             });
         }
         let is_wrong = |sphere: &String| {
-            let is_of_pair = one.code() == LeftRightPlaces;
-            let other = is_of_pair.then(|| sides.counterpart(sphere)).flatten();
-            spheres.contains(sphere) || other.is_some_and(|other| spheres.contains(&other.name))
+            // Of a pair, one sphere is at the wrong place.
+            let is_of_pair = matches!(one.code(), LeftRightPlaces | SunkIn);
+            let other = is_of_pair.then(|| sides.counterpart(sphere)).flatten().map(|other| &other.name);
+            let is_other_wrong = |other: &String| spheres.contains(other) && !one.spheres.contains(other);
+            spheres.contains(sphere) || other.is_some_and(is_other_wrong)
         };
         !one.spheres.is_empty() && one.spheres.iter().all(is_wrong)
     };

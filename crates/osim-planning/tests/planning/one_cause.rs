@@ -38,7 +38,7 @@ fn each_fault_is_said_once() {
 
 #[test]
 fn a_warning_from_which_an_error_follows_is_an_error() {
-    use FindingCode::{ContactsOfAnotherMass, MasslessBody, OddPlace, OddRadius};
+    use FindingCode::{ContactsOfAnotherMass, LeftRightPlaces, MasslessBody, OddPlace, OddRadius, UnevenBottoms};
     let (sphere, pelvis) = ("ContactSphere name=\"s1_r\"", "Body name=\"pelvis\"");
     for (start, old, new, code) in [
         (sphere, " -0.01 ", " -10 ", OddPlace),
@@ -51,6 +51,10 @@ fn a_warning_from_which_an_error_follows_is_an_error() {
         assert_eq!(severe_codes(&found), [code], "{:?}", found.findings);
         assert_eq!(find(&found, code).severity, Severity::Error);
     }
+    // That the other spheres of this foot are higher is said beside it: the other foot may be as uneven.
+    let found = check_text(&with_text_replaced(HUMAN, sphere, " -0.01 ", " -0.05 "));
+    assert_eq!(severe_codes(&found), [LeftRightPlaces, UnevenBottoms], "{:?}", found.findings);
+    assert_eq!(find(&found, LeftRightPlaces).severity, Severity::Error);
 }
 
 #[test]
