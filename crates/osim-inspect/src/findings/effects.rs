@@ -44,8 +44,18 @@ const fn causes_on_elements(code: FindingCode) -> &'static [FindingCode] {
         LeftRightPlaces => &[OddPlace, SpheresMisplaced],
         OddPlace => &[SpheresMisplaced],
         SpheresMisplaced => &[OddPlace],
-        SunkIn => &[ContactsOfAnotherMass, LeftRightPlaces, OddPlace, OddRadius, SpheresMisplaced],
-        Floats | ForceBeforeContact | LargeConstantIndentation | TooStiff | WideTransition => &[OddRadius],
+        SunkIn => &[
+            ContactsOfAnotherMass,
+            LeftRightDiffer,
+            LeftRightPlaces,
+            OddPlace,
+            OddRadius,
+            SpheresMisplaced,
+        ],
+        Floats | ForceBeforeContact | LargeConstantIndentation | TooStiff | WideTransition => {
+            &[LeftRightDiffer, OddRadius]
+        }
+        DynamicAboveStatic | LargeFriction | OddTransitionVelocity => &[LeftRightDiffer],
         _ => &[],
     }
 }
@@ -136,7 +146,6 @@ fn without_effects_on_elements(
         if causes.iter().any(|cause| cause.code() == ContactsOfAnotherMass) {
             return true;
         }
-        let spheres: BTreeSet<&String> = causes.iter().flat_map(|cause| &cause.spheres).collect();
         if one.code() == LeftRightDiffer {
             let wrong = forces_of(model, &causes);
             let is_wrong = |force: Option<&Force>| force.is_some_and(|force| wrong.contains(&force.path));
@@ -145,14 +154,22 @@ fn without_effects_on_elements(
                 is_wrong(left) || is_wrong(left.and_then(|left| sides.right_counterpart(left)))
             });
         }
-        let is_wrong = |sphere: &String| {
+        let differ = causes.iter().filter(|cause| cause.code() == LeftRightDiffer);
+        let odd = differ.flat_map(|one| one.paths()).filter_map(|left| sides.odd_force(left));
+        let odd: Vec<&Force> = odd.collect();
+        let of_odd = odd.iter().flat_map(|force| force.spheres()).filter_map(|&id| model.sphere(id));
+        let names = causes.iter().flat_map(|cause| &cause.spheres).chain(of_odd.map(|sphere| &sphere.name));
+        let elements: BTreeSet<&String> = names.chain(odd.iter().map(|force| &force.path)).collect();
+        let is_wrong = |element: &String| {
             // Of a pair, one sphere is at the wrong place.
             let is_of_pair = matches!(one.code(), LeftRightPlaces | SunkIn);
-            let other = is_of_pair.then(|| sides.counterpart(sphere)).flatten().map(|other| &other.name);
-            let is_other_wrong = |other: &String| spheres.contains(other) && !one.spheres.contains(other);
-            spheres.contains(sphere) || other.is_some_and(is_other_wrong)
+            let other = is_of_pair.then(|| sides.counterpart(element)).flatten().map(|other| &other.name);
+            let is_other_wrong = |other: &String| elements.contains(other) && !one.spheres.contains(other);
+            elements.contains(element) || other.is_some_and(is_other_wrong)
         };
-        !one.spheres.is_empty() && one.spheres.iter().all(is_wrong)
+        let own: Vec<&String> =
+            if one.spheres.is_empty() { one.paths().collect() } else { one.spheres.iter().collect() };
+        !own.is_empty() && own.into_iter().all(is_wrong)
     };
     let effects: Vec<FindingWithRemedy> = findings.iter().filter(|one| is_effect(one)).cloned().collect();
     for effect in effects {

@@ -99,6 +99,12 @@ impl<'m> BothSides<'m> {
         odd.all(|side| side == Some(first)).then_some(first)
     }
 
+    /// The force that is unlike most other contacts of the model: `left`, or its counterpart, if they differ.
+    pub(crate) fn odd_force(&self, left: &str) -> Option<&'m Force> {
+        let left = self.force(left)?;
+        if self.odd_side(left)? == Side::Left { Some(left) } else { self.right_counterpart(left) }
+    }
+
     /// The parameter sets of `left`, each with its counterpart on the right.
     fn set_pairs_of(&self, left: &Force) -> &[SetPair<'m>] {
         let start = self.set_pairs.partition_point(|pair| pair.left.0.id < left.id);

@@ -38,7 +38,10 @@ fn each_fault_is_said_once() {
 
 #[test]
 fn a_warning_from_which_an_error_follows_is_an_error() {
-    use FindingCode::{ContactsOfAnotherMass, LeftRightPlaces, MasslessBody, OddPlace, OddRadius, UnevenBottoms};
+    use FindingCode::{
+        ContactsOfAnotherMass, LeftRightDiffer, LeftRightPlaces, MasslessBody, OddPlace, OddRadius,
+        UnevenBottoms,
+    };
     let (sphere, pelvis) = ("ContactSphere name=\"s1_r\"", "Body name=\"pelvis\"");
     for (start, old, new, code) in [
         (sphere, " -0.01 ", " -10 ", OddPlace),
@@ -46,6 +49,7 @@ fn a_warning_from_which_an_error_follows_is_an_error() {
         (sphere, ">0.032<", ">0.000032<", OddRadius),
         (pelvis, ">60<", ">0<", MasslessBody),
         (pelvis, ">60<", ">500<", ContactsOfAnotherMass),
+        ("\"contact_s1_r\"", ">1000000<", ">1<", LeftRightDiffer),
     ] {
         let found = check_text(&with_text_replaced(HUMAN, start, old, new));
         assert_eq!(severe_codes(&found), [code], "{:?}", found.findings);
@@ -55,6 +59,16 @@ fn a_warning_from_which_an_error_follows_is_an_error() {
     let found = check_text(&with_text_replaced(HUMAN, sphere, " -0.01 ", " -0.05 "));
     assert_eq!(severe_codes(&found), [LeftRightPlaces, UnevenBottoms], "{:?}", found.findings);
     assert_eq!(find(&found, LeftRightPlaces).severity, Severity::Error);
+}
+
+/// The difference of the sides has the command, so the number on the odd side is said once.
+#[test]
+fn a_number_of_one_side_is_said_with_its_command() {
+    for (old, new) in [("<static_friction>0.8<", "<static_friction>80<"), (">1000000<", ">1<")] {
+        let found = check_text(&with_text_replaced(HUMAN, "\"contact_s1_r\"", old, new));
+        assert_eq!(severe_codes(&found), [FindingCode::LeftRightDiffer], "{:?}", found.findings);
+        assert_eq!(found.steps.len(), 1, "{:?}", found.steps);
+    }
 }
 
 #[test]
