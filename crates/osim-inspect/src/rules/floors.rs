@@ -15,19 +15,13 @@ use osim_model::rule;
 /// A floor that leans by more than this, degrees, counts as upside down; a less steep one counts as upright.
 pub(super) const UPSIDE_DOWN_DEGREES: f64 = 135.0;
 
-/// Finds floors that are too steep and whose tilt in degrees `applies`. The advice says what to write instead.
-fn find_turned_floors(floors: &Floors, rule: &'static Rule, applies: impl Fn(f64) -> bool) -> Vec<Finding> {
-    let finding = |judged: &JudgedPlane| match judged.kind {
-        PlaneJudgement::Steep(degrees) if applies(degrees) => turned_finding(judged, rule, degrees),
-        _ => None,
-    };
-    floors.iter().filter_map(finding).collect()
-}
-
-/// The finding about a floor that leans by `degrees`, with the orientation that it should have.
-fn turned_finding(judged: &JudgedPlane, rule: &'static Rule, degrees: f64) -> Option<Finding> {
-    let plane = &judged.plane;
+/// The finding about a floor that is too steep, and upside down or not, with the orientation that it should have; `None` for other planes.
+fn find_turned_floor(judged: &JudgedPlane, rule: &'static Rule, is_upside_down: bool) -> Option<Finding> {
+    let (PlaneJudgement::Steep(degrees), plane) = (judged.kind, &judged.plane) else { return None };
     let (orientation, surface) = plane.orientations.first().zip(plane.surface)?;
+    if (degrees > UPSIDE_DOWN_DEGREES) != is_upside_down {
+        return None;
+    }
     let tag = orientation.tag;
     let text = format!(
         "the surface of {} faces {} degrees away from up, expected less than 45, and its spheres have no other floor; to make it \
@@ -48,9 +42,9 @@ rule! { pub(super) FLOOR_UPSIDE_DOWN: FloorUpsideDown, Error, Floor;
         bad: "0 0 1.5707963267948966" },
 }
 
-/// Finds floors whose surface faces down.
-pub(super) fn find_upside_down_floors(floors: &Floors) -> Vec<Finding> {
-    find_turned_floors(floors, &FLOOR_UPSIDE_DOWN, |degrees| degrees > UPSIDE_DOWN_DEGREES)
+/// The finding about a floor whose surface faces down.
+pub(super) fn find_upside_down_floor(judged: &JudgedPlane) -> Option<Finding> {
+    find_turned_floor(judged, &FLOOR_UPSIDE_DOWN, true)
 }
 
 rule! { pub(super) FLOOR_UPRIGHT: FloorUpright, Error, Floor;
@@ -61,9 +55,9 @@ rule! { pub(super) FLOOR_UPRIGHT: FloorUpright, Error, Floor;
     example: Example::ElementText { tag: "orientation", good: "0 0 -1.5707963267948966", bad: "0 0 0" },
 }
 
-/// Finds floors that stand upright like walls.
-pub(super) fn find_upright_floors(floors: &Floors) -> Vec<Finding> {
-    find_turned_floors(floors, &FLOOR_UPRIGHT, |degrees| degrees <= UPSIDE_DOWN_DEGREES)
+/// The finding about a floor that stands upright like a wall.
+pub(super) fn find_upright_floor(judged: &JudgedPlane) -> Option<Finding> {
+    find_turned_floor(judged, &FLOOR_UPRIGHT, false)
 }
 
 rule! { pub(super) FLOOR_ON_LIMB: FloorOnLimb, Error, Floor;
@@ -74,13 +68,8 @@ rule! { pub(super) FLOOR_ON_LIMB: FloorOnLimb, Error, Floor;
     example: Example::Models { good: "check/known_contacts.osim", bad: "check/floor_on_limb.osim" },
 }
 
-/// Finds floors that are on a body of the limb which presses on them.
-pub(super) fn find_floors_on_limbs(floors: &Floors) -> Vec<Finding> {
-    floors.iter().filter_map(on_limb_finding).collect()
-}
-
-/// The finding about a floor on a limb; `None` for other planes.
-fn on_limb_finding(judged: &JudgedPlane) -> Option<Finding> {
+/// The finding about a floor that is on a body of the limb which presses on it; `None` for other planes.
+pub(super) fn find_floor_on_limb(judged: &JudgedPlane) -> Option<Finding> {
     let (PlaneJudgement::OnLimb, plane) = (judged.kind, &judged.plane) else { return None };
     let (body, frame) = (plane.body.as_deref()?, &plane.frame);
     let tag = shown(&frame.tag);
@@ -102,13 +91,8 @@ rule! { pub(super) FLOOR_SLOPES: FloorSlopes, Remark, Floor;
     example: Example::ElementText { tag: "orientation", good: "0 0 -1.5707963267948966", bad: "0 0 -1.4" },
 }
 
-/// Finds floors that slope.
-pub(super) fn find_sloping_floors(floors: &Floors) -> Vec<Finding> {
-    floors.iter().filter_map(slope_finding).collect()
-}
-
 /// The remark on a floor that slopes; `None` for other planes.
-fn slope_finding(judged: &JudgedPlane) -> Option<Finding> {
+pub(super) fn find_sloping_floor(judged: &JudgedPlane) -> Option<Finding> {
     let (PlaneJudgement::Slope(degrees), plane) = (judged.kind, &judged.plane) else { return None };
     let text = format!(
         "{} is tilted by {} degrees: {} of the weight presses on it",
@@ -133,28 +117,23 @@ const SAME_DIRECTION: f64 = 0.99985;
 const SAME_FLOOR_M: f64 = 1e-3;
 
 /// One finding for the floor that is highest above the first floor, or lowest below it.
-pub(super) fn find_floor_step(floors: &Floors) -> Vec<Finding> {
+pub(super) fn find_floor_step(floors: &Floors) -> Option<Finding> {
     let is_floor =
         |judged: &&JudgedPlane| matches!(judged.kind, PlaneJudgement::Fine | PlaneJudgement::Slope(_));
     let surface_of = |plane: &ContactPlane| plane.surface.filter(|own| own.tilt_rad <= STEEPEST_FLOOR_RAD);
     let mut planes = floors.iter().filter(is_floor).map(|judged| &judged.plane);
-    let Some((first, base)) = planes.find_map(|plane| Some((plane, surface_of(plane)?))) else {
-        return Vec::new();
-    };
+    let (first, base) = planes.find_map(|plane| Some((plane, surface_of(plane)?)))?;
     let step = |plane| {
         let surface = surface_of(plane)?;
         let height_m = (surface.point_m - base.point_m).dot(base.normal);
         let is_step = surface.normal.dot(base.normal) > SAME_DIRECTION && height_m.abs() > SAME_FLOOR_M;
         is_step.then_some((height_m, plane))
     };
-    let largest = planes.filter_map(step).max_by(|(a, _), (b, _)| a.abs().total_cmp(&b.abs()));
-    let finding = |(height_m, plane): (f64, &ContactPlane)| {
-        let mm = four_significant(1e3 * height_m.abs());
-        let word = if height_m > 0.0 { "higher" } else { "lower" };
-        let text = format!("{} is {mm} mm {word} than {}", shown(&plane.name), shown(&first.name));
-        Finding::at(&FLOOR_STEP, plane.position, text).with_place(&plane.path)
-    };
-    largest.map(finding).into_iter().collect()
+    let (height_m, plane) = planes.filter_map(step).max_by(|(a, _), (b, _)| a.abs().total_cmp(&b.abs()))?;
+    let mm = four_significant(1e3 * height_m.abs());
+    let word = if height_m > 0.0 { "higher" } else { "lower" };
+    let text = format!("{} is {mm} mm {word} than {}", shown(&plane.name), shown(&first.name));
+    Some(Finding::at(&FLOOR_STEP, plane.position, text).with_place(&plane.path))
 }
 
 rule! { pub(crate) NO_GRAVITY: NoGravity, Error, Floor;
@@ -253,13 +232,8 @@ rule! { pub(crate) GRAVITY_NOT_DOWN: GravityNotDown, Error, Floor;
 /// Components of a direction that are smaller than this are rounding errors.
 const ROUNDING: f64 = 1e-6;
 
-/// Finds the first floor that gravity does not point into.
-pub(crate) fn find_gravity_not_into_floor(model: &Model, floors: &Floors) -> Option<Finding> {
-    floors.iter().find_map(|judged| not_down_finding(model, judged))
-}
-
 /// The finding that gravity does not point into this floor; `None` if it does.
-fn not_down_finding(model: &Model, judged: &JudgedPlane) -> Option<Finding> {
+pub(super) fn find_gravity_not_into_floor(model: &Model, judged: &JudgedPlane) -> Option<Finding> {
     let PlaneJudgement::GravityMisaligned(degrees) = judged.kind else { return None };
     let (surface, size) = judged.plane.surface.zip(model.gravity())?;
     let down = surface.normal.map(|value| if value.abs() < ROUNDING { 0.0 } else { -value * size });

@@ -25,7 +25,7 @@ use osim_requests::Request;
 
 use crate::findings::{FindingWithRemedy, Remedies};
 use crate::inspection::Inspection;
-use crate::plane_judgement::Floors;
+use crate::plane_judgement::{Floors, JudgedPlane};
 use crate::sides::BothSides;
 pub use contacts::describe_unmatched_patterns;
 pub use depth::ways_within_hertz;
@@ -107,12 +107,11 @@ static SIDE_RULES: RuleTable<fn(&BothSides<'_>) -> Option<Finding>> = &[
 ];
 
 /// Rules about the floors that spheres press on.
-static FLOOR_RULES: RuleTable<fn(&Floors) -> Vec<Finding>> = &[
-    (&[&floors::FLOOR_UPSIDE_DOWN], floors::find_upside_down_floors),
-    (&[&floors::FLOOR_UPRIGHT], floors::find_upright_floors),
-    (&[&floors::FLOOR_ON_LIMB], floors::find_floors_on_limbs),
-    (&[&floors::FLOOR_SLOPES], floors::find_sloping_floors),
-    (&[&floors::FLOOR_STEP], floors::find_floor_step),
+static FLOOR_RULES: RuleTable<fn(&JudgedPlane) -> Option<Finding>> = &[
+    (&[&floors::FLOOR_UPSIDE_DOWN], floors::find_upside_down_floor),
+    (&[&floors::FLOOR_UPRIGHT], floors::find_upright_floor),
+    (&[&floors::FLOOR_ON_LIMB], floors::find_floor_on_limb),
+    (&[&floors::FLOOR_SLOPES], floors::find_sloping_floor),
 ];
 
 /// Rules about the figures of spheres.
@@ -135,6 +134,7 @@ static FIGURE_RULES: RuleTable<fn(&FigureCheck<'_>) -> Option<FindingWithRemedy>
 static OTHER_RULES: RuleTable<()> = rule_table! {
     contacts [BARE_MODEL, CONTACTS_OF_ANOTHER_MASS, COUNT_UNKNOWN, KNOWN_CONTACTS, MASS_UNKNOWN] => ();
     contacts [STALE_NOTE, UNMATCHED_PATTERN] => ();
+    floors [FLOOR_STEP] => ();
     floors [GRAVITY_NOT_DOWN, GRAVITY_SOURCES_DISAGREE, GRAVITY_TOO_LARGE, NO_GRAVITY, ODD_GRAVITY] => ();
     places [SPHERES_LEFT_BEHIND, SPHERES_MISPLACED, SPHERES_NOT_COMPARED] => ();
     standing [NOT_ON_FLOOR] => ();
@@ -200,12 +200,12 @@ fn apply_side_rules(model: &Model) -> Vec<Finding> {
 pub(crate) fn apply_floor_rules(model: &Model, inspected: &Inspection, floors: &Floors) -> Vec<Finding> {
     let about_gravity = [
         floors::find_too_large_gravity(model),
-        floors::find_gravity_not_into_floor(model, floors),
+        floors.iter().find_map(|judged| floors::find_gravity_not_into_floor(model, judged)),
         floors::find_odd_gravity(model, floors),
     ];
-    let about_floors = FLOOR_RULES.iter().flat_map(|(_, find)| find(floors));
-    let no_gravity = floors::find_no_gravity(model, inspected, floors);
-    about_gravity.into_iter().flatten().chain(about_floors).chain(no_gravity).collect()
+    let about_planes = FLOOR_RULES.iter().flat_map(|(_, find)| floors.iter().filter_map(find));
+    let about_all = [floors::find_floor_step(floors), floors::find_no_gravity(model, inspected, floors)];
+    about_gravity.into_iter().flatten().chain(about_planes).chain(about_all.into_iter().flatten()).collect()
 }
 
 /// Applies the rules about figures.
