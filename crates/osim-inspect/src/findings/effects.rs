@@ -155,8 +155,8 @@ fn without_effects_on_elements(
             });
         }
         let differ = causes.iter().filter(|cause| cause.code() == LeftRightDiffer);
-        let odd = differ.flat_map(|one| one.paths()).filter_map(|left| sides.odd_force(left));
-        let odd: Vec<&Force> = odd.collect();
+        let pairs = differ.flat_map(|one| one.paths()).filter_map(|left| sides.odd_and_other(left, None));
+        let odd: Vec<&Force> = pairs.map(|(_, [odd, _])| odd).collect();
         let of_odd = odd.iter().flat_map(|force| force.spheres()).filter_map(|&id| model.sphere(id));
         let names = causes.iter().flat_map(|cause| &cause.spheres).chain(of_odd.map(|sphere| &sphere.name));
         let elements: BTreeSet<&String> = names.chain(odd.iter().map(|force| &force.path)).collect();

@@ -1,7 +1,7 @@
 //! Rules about the left and the right side: contacts that differ between the sides, and spheres without a counterpart. If it is known which
 //! side is wrong, the remedy gives it the values of the other side.
 
-use osim_model::messages::{counted, shown, three_significant};
+use osim_model::messages::{counted, listed, shown, three_significant};
 use osim_model::{
     Assignment, Example, Finding, Force, Model, Property, Repair, Rule, Severity, Side, Sphere, without_side,
 };
@@ -101,29 +101,26 @@ pub(crate) fn with_odd_side(
     FindingWithRemedy::new(finding, remedy.map(Request::from))
 }
 
-/// Adds to the message which side is wrong, and why. If most other contacts of the model show it, the message has it already.
+/// Adds to the message which side is wrong, and why; or which forces, if these are on both sides. If most other contacts of the model show
+/// it, the message has their number already.
 fn name_odd_side(finding: &mut Finding, sides: &BothSides<'_>, known: Option<&KnownSide>) {
-    let Some(odd) = odd_side_of_all(finding, sides, known) else { return };
-    finding.message.push(format!("; the one on the {} differs from the others", odd.as_str()));
+    let odd_side = known.map(|known| known.side.other());
+    let odd: Option<Vec<_>> = finding.paths().map(|path| sides.odd_and_other(path, odd_side)).collect();
+    let Some((first, odd)) = odd.as_deref().and_then(|odd| Some((odd.first()?.0, odd))) else { return };
+    if odd.iter().any(|(side, _)| *side != first) {
+        let paths: Vec<&str> = odd.iter().map(|(_, [wrong, _])| wrong.path.as_str()).collect();
+        finding.message.push(format!("; {} differ from the others", listed(&paths, MOST_FORCES_NAMED)));
+        return;
+    }
+    finding.message.push(format!("; the one on the {} differs from the others", first.as_str()));
     if let Some(known) = known {
         let (side, title) = (known.side.as_str(), &known.title);
         finding.message.push(format!(", since the contacts on the {side} are those of {title}"));
     }
 }
 
-/// The side that is wrong in all cases of `finding`; `None` if it is not known or not the same.
-fn odd_side_of_all(finding: &Finding, sides: &BothSides<'_>, known: Option<&KnownSide>) -> Option<Side> {
-    let mut all = finding.paths().map(|path| odd_side(known, sides, sides.force(path)?));
-    let first = all.next()??;
-    all.all(|one| one == Some(first)).then_some(first)
-}
-
-/// The side that is wrong if `left` and its counterpart differ: the side without the known contacts that the other side has, else the side
-/// that is unlike most other contacts of the model; `None` if this is not known.
-fn odd_side(known: Option<&KnownSide>, sides: &BothSides<'_>, left: &Force) -> Option<Side> {
-    // Known contacts come first, because there is no majority if every contact of one side is wrong.
-    known.map(|known| known.side.other()).or_else(|| sides.odd_side(left))
-}
+/// The largest number of forces that a message names.
+const MOST_FORCES_NAMED: usize = 4;
 
 /// The request `one`, extended to the forces of `other`; `None` if the requests differ in something else.
 fn join_forces(mut one: SetRequest, mut other: SetRequest) -> Option<SetRequest> {
@@ -143,11 +140,9 @@ fn copy_other_side(
     known: Option<&KnownSide>,
     left: &str,
 ) -> Option<SetRequest> {
-    let left = sides.force(left)?;
-    let right = sides.right_counterpart(left)?;
-    let odd = odd_side(known, sides, left)?;
-    let (wrong, correct) = if odd == Side::Left { (left, right) } else { (right, left) };
-    let values = values_to_copy(model, wrong, correct, || sides.bones_differ(left, right))?;
+    // Known contacts come first, because there is no majority if every contact of one side is wrong.
+    let (_, [wrong, correct]) = sides.odd_and_other(left, known.map(|known| known.side.other()))?;
+    let values = values_to_copy(model, wrong, correct, || sides.bones_differ(left))?;
     can_be_set(&values).then_some(())?;
     if !remedies.options.selection.select.is_empty() {
         return None;

@@ -79,10 +79,10 @@ impl<'m> BothSides<'m> {
         self.set_pairs.iter().map(force_on_side).collect::<BTreeSet<ForceId>>().into_iter().collect()
     }
 
-    /// Whether the bones that carry the spheres of `left` have another size than the bones that carry the spheres of `right`.
-    pub(crate) fn bones_differ(&self, left: &Force, right: &Force) -> bool {
-        let sets = self.set_pairs_of(left).iter().filter(|pair| pair.right.0.id == right.id);
-        let spheres = sets.flat_map(|pair| &pair.spheres);
+    /// Whether the bones that carry the spheres of the force `left` have another size than the bones that carry their counterparts.
+    pub(crate) fn bones_differ(&self, left: &str) -> bool {
+        let sets = self.force(left).map(|left| self.set_pairs_of(left)).unwrap_or_default();
+        let spheres = sets.iter().flat_map(|pair| &pair.spheres);
         let mut pairs = spheres.filter_map(|&index| self.pairs.get(index));
         pairs.any(|pair| {
             let ratios = bone_ratios(self.model, pair.left.body, pair.right.body);
@@ -99,10 +99,15 @@ impl<'m> BothSides<'m> {
         odd.all(|side| side == Some(first)).then_some(first)
     }
 
-    /// The force that is unlike most other contacts of the model: `left`, or its counterpart, if they differ.
-    pub(crate) fn odd_force(&self, left: &str) -> Option<&'m Force> {
+    /// The wrong one of the force `left` and its counterpart, if they differ, and the other one: that on the side `odd`, or else the one
+    /// unlike most other contacts of the model.
+    pub(crate) fn odd_and_other(&self, left: &str, odd: Option<Side>) -> Option<(Side, [&'m Force; 2])> {
         let left = self.force(left)?;
-        if self.odd_side(left)? == Side::Left { Some(left) } else { self.right_counterpart(left) }
+        let both = [left, self.right_counterpart(left)?];
+        match odd.or_else(|| self.odd_side(left))? {
+            Side::Left => Some((Side::Left, both)),
+            Side::Right => Some((Side::Right, [both[1], both[0]])),
+        }
     }
 
     /// The parameter sets of `left`, each with its counterpart on the right.

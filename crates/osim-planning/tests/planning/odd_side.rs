@@ -1,6 +1,6 @@
 //! Finding the wrong one of two sides, if all contacts of one side differ from those of the other.
 
-use crate::checks::{check_text, message, remedy};
+use crate::checks::{check_text, message, remedy, with_text_replaced};
 use osim_model::FindingCode;
 use serde_json::json;
 
@@ -27,6 +27,18 @@ fn the_table_of_known_contacts_shows_which_side_is_wrong() {
         );
         assert!(found.ends_with(&expected), "{found}");
     }
+}
+
+#[test]
+fn forces_that_are_odd_on_both_sides_are_named() {
+    let stiffer = |text: &str, force: &str| with_text_replaced(text, force, ">1000000<", ">10000000<");
+    let text = stiffer(&stiffer(HUMAN, "\"contact_s1_l\""), "\"contact_s2_r\"");
+    let found = check_text(&text);
+    let said = message(&found, FindingCode::LeftRightDiffer);
+    let expected = "; /forceset/contact_s1_l, /forceset/contact_s2_r differ from the others";
+    assert!(said.ends_with(expected), "{said}");
+    let copied = remedy(&found, FindingCode::LeftRightDiffer);
+    assert_eq!(copied["select"], json!(["contact_s1_l", "contact_s2_r"]));
 }
 
 #[test]
