@@ -56,6 +56,7 @@ const fn causes_on_elements(code: FindingCode) -> &'static [FindingCode] {
             &[LeftRightDiffer, OddRadius]
         }
         DynamicAboveStatic | LargeFriction | OddTransitionVelocity => &[LeftRightDiffer],
+        DuplicateNames => &[SphereInTwoForces],
         _ => &[],
     }
 }
@@ -146,7 +147,7 @@ fn without_effects_on_elements(
         if causes.iter().any(|cause| cause.code() == ContactsOfAnotherMass) {
             return true;
         }
-        if one.code() == LeftRightDiffer {
+        if matches!(one.code(), DuplicateNames | LeftRightDiffer) {
             let wrong = forces_of(model, &causes);
             let is_wrong = |force: Option<&Force>| force.is_some_and(|force| wrong.contains(&force.path));
             return one.paths().all(|path| {

@@ -61,6 +61,15 @@ fn a_warning_from_which_an_error_follows_is_an_error() {
     assert_eq!(find(&found, LeftRightPlaces).severity, Severity::Error);
 }
 
+#[test]
+fn a_force_that_is_pasted_twice_is_said_once() {
+    let end = "</SmoothSphereHalfSpaceForce>";
+    let from = HUMAN.find("<SmoothSphereHalfSpaceForce name=\"contact_s1_r\">").unwrap();
+    let to = from + HUMAN[from..].find(end).unwrap() + end.len();
+    let found = check_text(&format!("{}{}", &HUMAN[..to], &HUMAN[from..]));
+    assert_eq!(severe_codes(&found), [FindingCode::SphereInTwoForces], "{:?}", found.findings);
+}
+
 /// The difference of the sides has the command, so the number on the odd side is said once.
 #[test]
 fn a_number_of_one_side_is_said_with_its_command() {
