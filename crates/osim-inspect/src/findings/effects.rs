@@ -12,11 +12,12 @@ use FindingCode::*;
 
 /// Codes of causes, and the codes of what follows from them anywhere in the model, in the order in which they are left out. If something
 /// else causes it, too, that is found once the first cause is gone.
-const EFFECTS: [(&[FindingCode], &[FindingCode]); 6] = [
+const EFFECTS: [(&[FindingCode], &[FindingCode]); 7] = [
     (&[MasslessBody], &[ContactsOfAnotherMass, Floats, ForceBeforeContact, TooStiff]),
     (&[SphereInTwoForces, DoubledSpheres], &[Floats, ForceBeforeContact]),
-    (&[SphereOfOtherSide], &[SphereInTwoForces, LeftRightMissing]),
+    (&[SphereOfOtherSide], &[SphereInTwoForces, LeftRightMissing, OneSideOnly]),
     (&[LeftRightSwapped], &[SpheresMisplaced]),
+    (&[LeftRightBones], &[OddRadius]),
     (&[OddRadius], &[UnevenBottoms]),
     (&[OddPlace, SpheresMisplaced], &[UnevenBottoms]),
 ];

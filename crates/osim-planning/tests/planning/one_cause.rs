@@ -16,7 +16,9 @@ fn severe_codes(found: &CheckResult) -> Vec<FindingCode> {
 
 #[test]
 fn each_fault_is_said_once() {
-    use FindingCode::{OddNumber, OddRadius, OutOfDomain, SphereOfOtherSide, SpheresMisplaced};
+    use FindingCode::{
+        LeftRightBones, OddNumber, OddRadius, OutOfDomain, SphereOfOtherSide, SpheresMisplaced,
+    };
     let edited = |start: &str, old: &str, new: &str| with_text_replaced(HUMAN, start, old, new);
     let sphere = "ContactSphere name=\"s1_r\"";
     for (text, code, place) in [
@@ -26,6 +28,7 @@ fn each_fault_is_said_once() {
         (edited(sphere, ">0.032<", ">0.32<"), OddRadius, "/contactgeometryset/s1_r"),
         (edited("\"contact_s1_r\"", ">1000000<", ">0<"), OutOfDomain, "/forceset/contact_s1_r"),
         (edited("\"contact_s1_l\"", "/s1_l<", "/s1_r<"), SphereOfOtherSide, "/forceset/contact_s1_l"),
+        (edited("\"mtp_r\"", ">0.16341 -0.00183 0", ">163.41 -1.83 0"), LeftRightBones, "/jointset/mtp_l"),
     ] {
         let found = check_text(&text);
         assert_eq!(severe_codes(&found), [code], "{:?}", found.findings);
@@ -59,6 +62,12 @@ fn a_warning_from_which_an_error_follows_is_an_error() {
     let found = check_text(&with_text_replaced(HUMAN, sphere, " -0.01 ", " -0.05 "));
     assert_eq!(severe_codes(&found), [LeftRightPlaces, UnevenBottoms], "{:?}", found.findings);
     assert_eq!(find(&found, LeftRightPlaces).severity, Severity::Error);
+}
+
+#[test]
+fn forces_that_press_spheres_of_the_other_side_leave_their_own_without_a_force() {
+    let found = check_text(&HUMAN.replace("_l</socket_sphere>", "_r</socket_sphere>"));
+    assert_eq!(severe_codes(&found), [FindingCode::SphereOfOtherSide], "{:?}", found.findings);
 }
 
 #[test]

@@ -11,7 +11,7 @@ pub type DamageKind = (&'static str, &'static str, fn(&Published) -> Edited);
 pub const DAMAGES: &[DamageKind] = &[
     (
         "all contacts on one limb named l by typo: right forces name left spheres",
-        "sphere-in-two-forces one-side-only left-right-missing left-right-swapped",
+        "sphere-of-other-side sphere-in-two-forces one-side-only left-right-missing left-right-swapped",
         |m| {
             m.edit(FORCES, &["socket_sphere", "geometry"], |_, old| {
                 Some(old.replace("_r", "_l").replace("r_", "l_"))
