@@ -260,7 +260,7 @@ fn with_published_severities(
 /// Adds to `remedy` the answer yes to each question that the program would ask about it for `model`.
 fn confirm_suspicions(remedy: &mut Request, model: &Model, masses: &MassRequest) {
     let asked = |own: &MassOptions, choice: &ForceOptions| {
-        suspicions_about_masses(&masses_of_remedy(own, masses), model, choice)
+        unexplained_mass(&masses_of_remedy(own, masses), model, &choice.selection()).into_iter().collect()
     };
     let questions = match remedy {
         Request::Rescale(request) => suspicions_about_rescaling(request, model, masses),
@@ -287,11 +287,6 @@ fn masses_of_remedy(options: &MassOptions, masses: &MassRequest) -> MassRequest 
     }
 }
 
-/// The doubts about masses that a remedy would raise, so that its command answers them.
-fn suspicions_about_masses(masses: &MassRequest, model: &Model, choice: &ForceOptions) -> Vec<Suspicion> {
-    unexplained_mass(masses, model, &choice.selection()).into_iter().collect()
-}
-
 /// The doubts about masses that the program would have about this rescaling.
 fn suspicions_about_rescaling(
     request: &RescaleRequest,
@@ -302,7 +297,8 @@ fn suspicions_about_rescaling(
     let contacts_mass_kg = request.masses.contacts_mass.map(Kilograms::get);
     let masses =
         MassRequest { contacts_mass_kg, target_mass_kg, ..masses_of_remedy(&request.masses, masses) };
-    let mut questions = suspicions_about_masses(&masses, model, &request.choice);
+    let unexplained = unexplained_mass(&masses, model, &request.choice.selection());
+    let mut questions: Vec<Suspicion> = unexplained.into_iter().collect();
     if let (Some(contacts_mass_kg), Some(target_mass_kg)) = (contacts_mass_kg, target_mass_kg) {
         let distances = model.joint_distances();
         let ratio = (target_mass_kg / contacts_mass_kg).cbrt();

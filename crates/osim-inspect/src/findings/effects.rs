@@ -12,8 +12,9 @@ use FindingCode::*;
 
 /// Codes of causes, and the codes of what follows from them anywhere in the model, in the order in which they are left out. If something
 /// else causes it, too, that is found once the first cause is gone.
-const EFFECTS: [(&[FindingCode], &[FindingCode]); 7] = [
+const EFFECTS: [(&[FindingCode], &[FindingCode]); 8] = [
     (&[MasslessBody], &[ContactsOfAnotherMass, Floats, ForceBeforeContact, TooStiff]),
+    (&[ContactsOfAnotherMass], &[SunkIn]),
     (&[SphereInTwoForces, DoubledSpheres], &[Floats, ForceBeforeContact]),
     (&[SphereOfOtherSide], &[SphereInTwoForces, LeftRightMissing, OneSideOnly]),
     (&[LeftRightSwapped], &[SpheresMisplaced]),
@@ -45,14 +46,7 @@ const fn causes_on_elements(code: FindingCode) -> &'static [FindingCode] {
         LeftRightPlaces => &[OddPlace, SpheresMisplaced],
         OddPlace => &[SpheresMisplaced],
         SpheresMisplaced => &[OddPlace],
-        SunkIn => &[
-            ContactsOfAnotherMass,
-            LeftRightDiffer,
-            LeftRightPlaces,
-            OddPlace,
-            OddRadius,
-            SpheresMisplaced,
-        ],
+        SunkIn => &[LeftRightDiffer, LeftRightPlaces, OddPlace, OddRadius, SpheresMisplaced],
         Floats | ForceBeforeContact | LargeConstantIndentation | TooStiff | WideTransition => {
             &[LeftRightDiffer, OddRadius]
         }
@@ -143,10 +137,6 @@ fn without_effects_on_elements(
         });
         if one.severity == Severity::Remark || causes.is_empty() {
             return false;
-        }
-        // All spheres carry the mass.
-        if causes.iter().any(|cause| cause.code() == ContactsOfAnotherMass) {
-            return true;
         }
         if matches!(one.code(), DuplicateNames | LeftRightDiffer) {
             let wrong = forces_of(model, &causes);

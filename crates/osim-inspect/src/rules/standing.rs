@@ -23,17 +23,15 @@ rule! { pub(super) NOT_ON_FLOOR: NotOnFloor, Remark, Standing;
 /// A finding for each body that does not start on its floor.
 pub(super) fn find_not_on_floor(check: &FigureCheck<'_>) -> Vec<FindingWithRemedy> {
     let bodies = &check.inspected.standing;
+    let finding = |body: &StandingBody| {
+        let which = if bodies.len() > 1 { format!(" of {}", shown(&body.body)) } else { String::new() };
+        let (height, way) = (body.pose_in_words()?, body.describe_way_to_stand());
+        let text = format!("the default pose{which} is {height}; {way}");
+        let finding = Finding::new(&NOT_ON_FLOOR, text).with_place(&body.lowest()?.path);
+        Some(FindingWithRemedy::from(finding))
+    };
     let off_floor = bodies.iter().filter(|body| body.is_above_floor() || body.is_inside_floor());
-    let findings = off_floor.filter_map(|body| not_on_floor_finding(body, bodies.len() > 1));
-    findings.map(FindingWithRemedy::from).collect()
-}
-
-/// The finding about a body that does not start on its floor.
-fn not_on_floor_finding(body: &StandingBody, is_one_of_several: bool) -> Option<Finding> {
-    let which = if is_one_of_several { format!(" of {}", shown(&body.body)) } else { String::new() };
-    let (height, way) = (body.pose_in_words()?, body.describe_way_to_stand());
-    let text = format!("the default pose{which} is {height}; {way}");
-    Some(Finding::new(&NOT_ON_FLOOR, text).with_place(&body.lowest()?.path))
+    off_floor.filter_map(finding).collect()
 }
 
 /// A height difference of bottoms above this, in the radius of the lowest sphere, is a warning.

@@ -4,8 +4,8 @@ use crate::rules::spheres::other_cases_in_words;
 use osim_model::messages::{readable, shown, three_significant};
 use osim_model::rule;
 use osim_model::{
-    Body, Example, Finding, JointCoordinate, Model, Orientation, Property, Repair, SetId, Severity, Value,
-    ValueOrigin,
+    Body, Example, Finding, Force, JointCoordinate, Model, Orientation, ParameterSet, Property, Repair, SetId,
+    Severity, Value, ValueOrigin,
 };
 
 /// The largest inertia, kg m², that a body without mass may have. Programs write tiny inertias for frames that weigh nothing.
@@ -103,16 +103,13 @@ rule! { pub(super) DEFAULT_STIFFNESS: DefaultStiffness, Error, Mass;
 
 /// Finds contacts without a stiffness in the file, for which OpenSim takes its default.
 pub(super) fn find_default_stiffness(model: &Model) -> Vec<Finding> {
-    let mut found = Vec::new();
-    for force in model.forces() {
-        for set in &force.sets {
-            if let Some(value) = set.value(Property::Stiffness).filter(|value| is_default_stiffness(value)) {
-                let text = format!("{}: stiffness is OpenSim's default, {} N/m2", force.path, value.number);
-                found.push(Finding::at(&DEFAULT_STIFFNESS, set.position, text).with_place(&force.path));
-            }
-        }
-    }
-    found
+    let all = model.forces().iter().flat_map(|force| force.sets.iter().map(move |set| (force, set)));
+    let finding = |(force, set): (&Force, &ParameterSet)| {
+        let value = set.value(Property::Stiffness).filter(|value| is_default_stiffness(value))?;
+        let text = format!("{}: stiffness is OpenSim's default, {} N/m2", force.path, value.number);
+        Some(Finding::at(&DEFAULT_STIFFNESS, set.position, text).with_place(&force.path))
+    };
+    all.filter_map(finding).collect()
 }
 
 /// Whether a value is a stiffness that is absent from the file, so that OpenSim takes its default.
@@ -130,18 +127,13 @@ rule! { pub(super) ZERO_CONSTANT_CONTACT_FORCE: ZeroConstantContactForce, Error,
 
 /// Finds smoothed forces whose `constant_contact_force` is 0.
 pub(super) fn find_zero_constant_contact_force(model: &Model) -> Vec<Finding> {
-    let mut found = Vec::new();
-    for force in model.forces() {
-        let zero =
-            force.value(SetId::FIRST, Property::ConstantContactForce).filter(|value| value.number == 0.0);
-        if let Some(value) = zero {
-            let position = model.file(force.file).position(value.offset);
-            let text =
-                format!("{}: constant_contact_force is 0: OpenSim computes NaN without slip", force.path);
-            found.push(Finding::at(&ZERO_CONSTANT_CONTACT_FORCE, position, text).with_place(&force.path));
-        }
-    }
-    found
+    let finding = |force: &Force| {
+        let value = force.value(SetId::FIRST, Property::ConstantContactForce);
+        let position = model.file(force.file).position(value.filter(|value| value.number == 0.0)?.offset);
+        let text = format!("{}: constant_contact_force is 0: OpenSim computes NaN without slip", force.path);
+        Some(Finding::at(&ZERO_CONSTANT_CONTACT_FORCE, position, text).with_place(&force.path))
+    };
+    model.forces().iter().filter_map(finding).collect()
 }
 
 rule! { pub(super) ANGLE_IN_DEGREES: AngleInDegrees, Error, Floor;
