@@ -1,9 +1,10 @@
 //! Rules about the texts of numbers and flags: how they are written, and the domains of numbers.
 
+use osim_model::messages::three_significant;
 use osim_model::opensim_text::{self, plain_numbers};
 use osim_model::{
-    Document, ElementId, Example, FileId, Finding, ForceKind, LAST_VERSION_WITH_IS_DISABLED, Model, Property,
-    Repair, Rule, Value, rule,
+    Body, Document, ElementId, Example, FileId, Finding, ForceKind, LAST_VERSION_WITH_IS_DISABLED, Model,
+    Property, Repair, Rule, Value, rule,
 };
 
 use crate::rules::refused_or_ignored::{MeantNames, find_unknown_children, known_children};
@@ -306,11 +307,37 @@ fn describe_odd_number(value: &Value) -> Option<String> {
 }
 
 rule! { pub(super) OUT_OF_DOMAIN: OutOfDomain, Error, Sizes;
-    what: "A number lies outside the domain of the contact laws.",
-    why: "OpenSim accepts it and computes NaN or meaningless numbers; such a model is not changed.",
+    what: "A number lies outside the domain of the contact laws, or no body can have it.",
+    why: "OpenSim accepts it and computes NaN or meaningless numbers; contacts with such a number are not changed.",
     advice: "Correct the number in the model",
     repair: Repair::NotPossible("only you know which number is right"),
     example: Example::ElementText { tag: "radius", good: "0.0325", bad: "-0.0325" },
+}
+
+/// A centre of mass that is farther than this from all joints of its body, m, is in another unit. No body of an animal is so long.
+const FARTHEST_CENTRE_M: f64 = 10.0;
+/// Moments of inertia below this, kg m², are no rounding error.
+const LEAST_INERTIA: f64 = -1e-9;
+
+/// Finds bodies with a moment of inertia or a centre of mass that no body can have. OpenSim 4.6 simulates with them.
+pub(super) fn find_impossible_bodies(model: &Model) -> Vec<Finding> {
+    let finding = |body: &Body| {
+        let (shape, path) = (model.body_shapes().get(&body.name)?, &body.path);
+        let [xx, yy, zz, ..] = shape.inertia_kg_m2.unwrap_or_default();
+        let distances_m = shape.joints_m.iter().map(|joint_m| joint_m.distance(shape.centre_m));
+        let nearest_m = distances_m.reduce(f64::min).unwrap_or_default();
+        let text = if let Some(moment) = [xx, yy, zz].into_iter().find(|&moment| moment < LEAST_INERTIA) {
+            format!("inertia of {path} is {moment}, expected 0 or more")
+        } else if nearest_m > FARTHEST_CENTRE_M {
+            let metres = three_significant(nearest_m);
+            format!("mass_center of {path} is {metres} m from a joint, expected at most {FARTHEST_CENTRE_M} m")
+        } else {
+            return None;
+        };
+        let position = model.file(body.file).position(body.mass.offset);
+        Some(Finding::at(&OUT_OF_DOMAIN, position, text).with_place(path))
+    };
+    model.bodies().iter().filter_map(finding).collect()
 }
 
 /// Why a value is outside its domain, in words that follow the name of the value. A default stiffness is left to another rule.

@@ -61,6 +61,7 @@ static MODEL_RULES: RuleTable<ModelRule> = rule_table! {
     refused_or_ignored [BODY_WITHOUT_JOINT, VERSION_AGAINST_FORM, MISPLACED_OBJECT, IGNORED_CONTACTS, UNKNOWN_NAME]
         => (Rest, refused_or_ignored::find_unread);
     misread [ODD_NUMBER, NOT_FINITE, OUT_OF_DOMAIN] => (Numbers, misread::apply_value_rules);
+    misread [] => (Rest, misread::find_impossible_bodies);
     // The texts of other numbers, by the same rules.
     misread [] => (Rest, misread::find_misread_texts);
     unlikely_numbers [ANGLE_IN_DEGREES] => (Rest, unlikely_numbers::find_angle_in_degrees);

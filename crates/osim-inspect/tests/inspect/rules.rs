@@ -63,6 +63,21 @@ fn a_default_value_that_is_a_little_outside_its_range_is_a_remark() {
 }
 
 #[test]
+fn a_body_that_cannot_be_is_outside_the_domain() {
+    let human = include_str!("../../../../fixtures/check/known_contacts.osim");
+    let far = "mass_center of /bodyset/pelvis is 150 m from a joint, expected at most 10 m";
+    for (old, new, expected) in [
+        ("<mass_center>0 0 0<", "<mass_center>0 150 0<", far),
+        ("<inertia>1 1 1 ", "<inertia>1 -1 1 ", "inertia of /bodyset/pelvis is -1, expected 0 or more"),
+    ] {
+        let model = Model::parse(human.replacen(old, new, 1)).unwrap();
+        let mut found = model_findings(&model).iter();
+        let found = found.find(|finding| finding.code() == FindingCode::OutOfDomain).unwrap();
+        assert_eq!(found.message.to_string(), expected);
+    }
+}
+
+#[test]
 fn a_constant_contact_force_of_zero_gives_a_finding() {
     let zero =
         FOOT.replace("<dissipation>", "<constant_contact_force>0</constant_contact_force><dissipation>");
