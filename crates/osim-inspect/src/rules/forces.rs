@@ -273,21 +273,19 @@ rule! { pub(super) DEAD_DERIVATIVE_SMOOTHING: DeadDerivativeSmoothing, Warning, 
 
 /// Finds an element `derivative_smoothing` that OpenSim no longer reads.
 pub(super) fn find_dead_derivative_smoothing(model: &Model) -> Vec<Finding> {
-    let mut found = Vec::new();
-    // Early Moco, whose forces keep their spheres inside, reads the element.
-    for force in model.forces().iter().filter(|force| !keeps_sphere_inside(model, force)) {
+    let finding = |force: &Force| {
         let document = model.file(force.file);
-        if let Some(dead) = document.tree().child(force.element, "derivative_smoothing") {
-            let position = document.position_of(dead);
-            let text = format!("{}: derivative_smoothing is ignored by OpenSim", force.path);
-            let finding = Finding::at(&DEAD_DERIVATIVE_SMOOTHING, position, text).with_place(&force.path);
-            let written = plain_numbers(&document.tree().text_of(dead)).unwrap_or_default();
-            let taken = force.sets.iter().find_map(|set| set.value(Property::ConstantContactForce));
-            let is_same = taken.is_some_and(|taken| written == [taken.number]);
-            found.push(if is_same { finding.with_severity(Severity::Remark) } else { finding });
-        }
-    }
-    found
+        let dead = document.tree().child(force.element, "derivative_smoothing")?;
+        let text = format!("{}: derivative_smoothing is ignored by OpenSim", force.path);
+        let finding = Finding::at(&DEAD_DERIVATIVE_SMOOTHING, document.position_of(dead), text);
+        let written = plain_numbers(&document.tree().text_of(dead)).unwrap_or_default();
+        let taken = force.sets.iter().find_map(|set| set.value(Property::ConstantContactForce));
+        let is_same = taken.is_some_and(|taken| written == [taken.number]);
+        let finding = if is_same { finding.with_severity(Severity::Remark) } else { finding };
+        Some(finding.with_place(&force.path))
+    };
+    // Early Moco, whose forces keep their spheres inside, reads the element.
+    model.forces().iter().filter(|force| !keeps_sphere_inside(model, force)).filter_map(finding).collect()
 }
 
 rule! { pub(super) TERRAIN: Terrain, Remark;
@@ -312,20 +310,13 @@ fn terrain_bodies(model: &Model) -> Option<Finding> {
         .filter_map(|body| Some((body, body.mass_kg().ok().filter(|kg| *kg > 0.0)?)))
         .collect();
     let (first, kg) = heavy.first()?;
-    let kg = readable(*kg);
-    let text = match heavy.len() {
-        1 => format!(
-            "{} ({kg} kg) {}: it is scenery and does not count in the mass of the model",
-            first.path,
-            if first.fixed { "is welded to ground" } else { "carries the floor" }
-        ),
-        count => format!(
-            "{} ({kg} kg) and {} more {} are welded to ground or carry the floor: they are scenery and do not count in the mass of the model",
-            first.path,
-            count - 1,
-            if count == 2 { "body" } else { "bodies" }
-        ),
-    };
+    let text = format!(
+        "{} ({} kg) {}: it is scenery and does not count in the mass of the model{}",
+        first.path,
+        readable(*kg),
+        if first.fixed { "is welded to ground" } else { "carries the floor" },
+        other_cases_in_words(heavy.len(), "another body, too", "other bodies, too")
+    );
     Some(Finding::new(&TERRAIN, text).with_place(&first.path))
 }
 
@@ -340,15 +331,10 @@ fn terrain_spheres(model: &Model) -> Option<Finding> {
         |sphere: &&Sphere| sphere.fixed && feet.binary_search_by_key(&sphere.id, |foot| foot.id).is_err();
     let fixed: Vec<&Sphere> = used.into_iter().filter_map(|id| model.sphere(id)).filter(is_scenery).collect();
     let first = fixed.first()?;
-    let text = match fixed.len() {
-        1 => {
-            format!("{} is on ground: it is scenery, so it is not counted and not changed", first.path)
-        }
-        2 => format!("{} and one more sphere are on ground: {SCENERY_STAYS}", first.path),
-        count => format!("{} and {} more spheres are on ground: {SCENERY_STAYS}", first.path, count - 1),
-    };
+    let text = format!(
+        "{} is on ground: it is scenery, so it is not counted and not changed{}",
+        first.path,
+        other_cases_in_words(fixed.len(), "another sphere, too", "other spheres, too")
+    );
     finding_about_spheres(&TERRAIN, text, fixed.iter().copied())
 }
-
-/// The end of messages about spheres and bodies of terrain.
-const SCENERY_STAYS: &str = "they are scenery, so they are not counted and not changed";

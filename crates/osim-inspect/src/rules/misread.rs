@@ -329,8 +329,8 @@ pub(super) fn find_impossible_bodies(model: &Model) -> Vec<Finding> {
         let text = if let Some(moment) = [xx, yy, zz].into_iter().find(|&moment| moment < LEAST_INERTIA) {
             format!("inertia of {path} is {moment}, expected 0 or more")
         } else if nearest_m > FARTHEST_CENTRE_M {
-            let metres = three_significant(nearest_m);
-            format!("mass_center of {path} is {metres} m from a joint, expected at most {FARTHEST_CENTRE_M} m")
+            let far = three_significant(nearest_m);
+            format!("mass_center of {path} is {far} m from a joint, expected at most {FARTHEST_CENTRE_M} m")
         } else {
             return None;
         };
