@@ -38,7 +38,11 @@ pub(crate) struct Remedies<'m> {
     /// The file of the model. `None` for standard input, which cannot be read twice, for a model that cannot be changed, and if something
     /// else has to be corrected first: then there are no remedies.
     model: Option<PathBuf>,
-    pub(crate) load: RemedyLoad,
+    // Options about masses, numbers of spheres and gravity, repeated from the call of the user.
+    pub(crate) masses: MassOptions,
+    counts: CountOptions,
+    /// Without a gravity if it is that in the file of the model.
+    load: LoadOptions,
     pub(crate) options: &'m InspectOptions,
     /// Whether one force has spheres of different size or material, and one modulus for all of them. No design suits all these spheres, so
     /// a remedy multiplies the numbers.
@@ -49,14 +53,6 @@ pub(crate) struct Remedies<'m> {
     pub(crate) body_kg: Option<f64>,
     /// Whether radii can be changed: no force outside the change uses the spheres.
     radii_may_change: bool,
-}
-
-/// The options of a remedy about mass, gravity and number of spheres, repeated from the call of the user.
-pub(crate) struct RemedyLoad {
-    pub(crate) masses: MassOptions,
-    counts: CountOptions,
-    /// Gravity; `None` if it is the gravity in the file of the model.
-    gravity: Option<Acceleration>,
 }
 
 impl<'m> Remedies<'m> {
@@ -73,23 +69,26 @@ impl<'m> Remedies<'m> {
         let mass = options.masses.model_kg.or(figures_kg);
         let gravity = figures.gravity_m_s2.filter(|_| figures.gravity_m_s2 != inspected.gravity_m_s2);
         let count = |number: Option<f64>| number.and_then(|number| Count::new(number).ok());
-        let load = RemedyLoad {
+        let gravity = gravity.and_then(|gravity| Acceleration::new(gravity).ok());
+        let name = || FileName::from_parts(inspected.model.clone(), inspected.model_bytes.clone()).to_path();
+        let file = (inspected.model != "-").then(name);
+        Self {
+            model: file.clone().filter(|_| changeable.numbers),
+            file,
             masses: MassOptions {
                 mass: mass.and_then(|kg| Kilograms::new(kg).ok()),
                 exclude_body: options.masses.exclude_bodies.clone(),
                 ..MassOptions::default()
             },
             counts: CountOptions { spheres: count(stance.spheres), stance_limbs: count(stance.limbs) },
-            gravity: gravity.and_then(|gravity| Acceleration::new(gravity).ok()),
-        };
-        let name = || FileName::from_parts(inspected.model.clone(), inspected.model_bytes.clone()).to_path();
-        let file = (inspected.model != "-").then(name);
-        let model = file.clone().filter(|_| changeable.numbers);
-        let is_counted = inspected.spheres_per_limb.is_some() || stance.spheres.is_some();
-        let knows_weight = inspected.figures.mass_kg.is_some();
-        let body_kg = inspected.mass_kg;
-        let radii_may_change = !changeable.numbers || changeable.radii;
-        Self { file, model, load, options, one_modulus, is_counted, knows_weight, body_kg, radii_may_change }
+            load: LoadOptions { gravity, ..LoadOptions::default() },
+            options,
+            one_modulus,
+            is_counted: inspected.spheres_per_limb.is_some() || stance.spheres.is_some(),
+            knows_weight: figures.mass_kg.is_some(),
+            body_kg: inspected.mass_kg,
+            radii_may_change: !changeable.numbers || changeable.radii,
+        }
     }
 
     /// Turns off all remedies, because another fault has to be corrected first, after which these remedies would be wrong.
@@ -156,8 +155,7 @@ impl<'m> Remedies<'m> {
             constant_indentation: constant.map(ConstantIndentation::new).transpose().ok()?,
             ..WantedOptions::default()
         };
-        let load = LoadOptions { gravity: self.load.gravity, ..LoadOptions::default() };
-        let (masses, counts) = (self.load.masses.clone(), self.load.counts.clone());
+        let (load, masses, counts) = (self.load.clone(), self.masses.clone(), self.counts.clone());
         Some(DesignRequest { load, masses, counts, ..self.design(wanted)? }.into())
     }
 
@@ -183,8 +181,8 @@ impl<'m> Remedies<'m> {
         Some(TransferRequest {
             models: self.models(true)?,
             from: Some(from),
-            masses: self.load.masses.clone(),
-            counts: self.load.counts.clone(),
+            masses: self.masses.clone(),
+            counts: self.counts.clone(),
             choice: self.choice(),
             set_files: self.set_files(),
             ..TransferRequest::default()

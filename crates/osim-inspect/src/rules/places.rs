@@ -100,7 +100,7 @@ fn follow_by_note(remedies: &Remedies<'_>, model: &Model) -> Option<Request> {
         return None;
     }
     // If the bodies do not give the mass, only the user knows it.
-    let target_mass_kg = rounded_mass(remedies.body_kg.filter(|_| remedies.load.masses.mass.is_none())?);
+    let target_mass_kg = rounded_mass(remedies.body_kg.filter(|_| remedies.masses.mass.is_none())?);
     // Only if no rescaling changed radii since then, the bottoms can be kept level.
     let has_only_note = model.note.as_ref().is_some_and(|note| note.operation() == Verb::Note.name());
     let level = has_only_note && !since.factors.values().any(|factors| is_stretched(*factors));
@@ -110,7 +110,7 @@ fn follow_by_note(remedies: &Remedies<'_>, model: &Model) -> Option<Request> {
             target_mass: Some(Kilograms::new(target_mass_kg).ok()?),
             follow_bodies: true,
             scaling: ScalingOptions { level, ..ScalingOptions::default() },
-            masses: remedies.load.masses.clone(),
+            masses: remedies.masses.clone(),
             choice: remedies.choice(),
             set_files: remedies.set_files(),
             ..RescaleRequest::default()
