@@ -19,13 +19,11 @@ use crate::sides::BothSides;
 use osim_model::rule;
 
 /// The evidence about the places of a model's spheres.
-pub(crate) enum SpherePlaces<'i> {
-    /// The places, compared with the model before scaling.
-    Compared(&'i SpherePlacements),
-    /// The evidence in this file alone, because the caller gave no other model.
-    FileAlone(PlaceEvidence),
-    /// The reason why the places cannot be compared with the other model, and the evidence in this file alone.
-    NotCompared(&'i SpherePlacements, PlaceEvidence),
+pub(crate) struct SpherePlaces<'i> {
+    /// The comparison with the model before scaling, if the caller gave one.
+    compared: Option<&'i SpherePlacements>,
+    /// The evidence in this file alone, if the places cannot be compared with those of another model.
+    alone: Option<PlaceEvidence>,
 }
 
 /// The scaling of bodies since the note was written, if it decides whether the spheres are at the right places: bodies were scaled since,
@@ -45,51 +43,38 @@ pub fn find_misplaced_spheres(model: &Model) -> Option<Finding> {
 impl<'i> SpherePlaces<'i> {
     /// The comparison with the model before scaling, if the caller gave one; else, the evidence in this file.
     pub(crate) fn of(model: &Model, inspected: &'i Inspection) -> Self {
-        match &inspected.placement {
-            Some(placement) if placement.unknown.is_none() => Self::Compared(placement),
-            Some(placement) => Self::NotCompared(placement, PlaceEvidence::of(model, noted_sizes(model))),
-            None => Self::FileAlone(PlaceEvidence::of(model, noted_sizes(model))),
-        }
+        let compared = inspected.placement.as_ref();
+        let is_compared = compared.is_some_and(|placement| placement.unknown.is_none());
+        let alone = (!is_compared).then(|| PlaceEvidence::of(model, noted_sizes(model)));
+        Self { compared, alone }
     }
 
     /// Whether spheres are known to be at wrong places.
     pub(crate) fn are_wrong(&self) -> bool {
-        match self {
-            Self::Compared(placement) => placement.is_wrong(),
-            Self::FileAlone(evidence) | Self::NotCompared(_, evidence) => evidence.is_wrong(),
-        }
+        let are_misplaced = || self.compared.is_some_and(SpherePlacements::is_wrong);
+        self.alone.as_ref().map_or_else(are_misplaced, PlaceEvidence::is_wrong)
     }
 
     /// Whether spheres are known to be at the right places.
     pub(crate) fn are_right(&self) -> bool {
-        match self {
-            Self::Compared(placement) => placement.is_right(),
-            Self::FileAlone(evidence) | Self::NotCompared(_, evidence) => evidence.is_right(),
-        }
+        let are_placed = || self.compared.is_some_and(SpherePlacements::is_right);
+        self.alone.as_ref().map_or_else(are_placed, PlaceEvidence::is_right)
     }
 
     /// The findings about wrong places, with their remedies.
     pub(crate) fn findings(&self, model: &Model, remedies: &Remedies<'_>) -> Vec<FindingWithRemedy> {
-        match self {
-            Self::FileAlone(evidence) => {
-                let is_noted = matches!(evidence, PlaceEvidence::ScaledSinceNote(_));
-                let remedy = || is_noted.then(|| follow_by_note(remedies, model)).flatten();
-                let finding = find_misplaced_by_file_alone(evidence, model);
-                finding.map(|finding| FindingWithRemedy::new(finding, remedy())).into_iter().collect()
-            }
-            Self::NotCompared(placement, evidence) => {
-                let alone = Self::FileAlone(evidence.clone()).findings(model, remedies);
-                // The finding that the models cannot be compared is enough, if the file alone shows nothing either.
-                let alone = alone.into_iter().filter(|one| one.code() != FindingCode::SpheresNotCompared);
-                let compared = find_misplaced_by_comparison(placement).into_iter();
-                compared.map(FindingWithRemedy::from).chain(alone).collect()
-            }
-            Self::Compared(placement) => {
-                let found = find_misplaced_by_comparison(placement).into_iter();
-                let remedy = || follow_by_original(remedies, placement);
-                found.map(|finding| FindingWithRemedy::new(finding, remedy())).collect()
-            }
-        }
+        let compared = self.compared.map(find_misplaced_by_comparison).unwrap_or_default().into_iter();
+        let original = self.compared.filter(|_| self.alone.is_none());
+        let follow = || original.and_then(|placement| follow_by_original(remedies, placement));
+        let alone = self.alone.iter().filter_map(|evidence| {
+            let is_noted = matches!(evidence, PlaceEvidence::ScaledSinceNote(_));
+            let remedy = || is_noted.then(|| follow_by_note(remedies, model)).flatten();
+            Some(FindingWithRemedy::new(find_misplaced_by_file_alone(evidence, model)?, remedy()))
+        });
+        // The finding that the models cannot be compared is enough, if the file alone shows nothing either.
+        let is_new = |one: &FindingWithRemedy| one.code() != FindingCode::SpheresNotCompared;
+        let alone = alone.filter(|one| self.compared.is_none() || is_new(one));
+        compared.map(|finding| FindingWithRemedy::new(finding, follow())).chain(alone).collect()
     }
 }
 
