@@ -313,11 +313,7 @@ pub(super) fn find_left_right_off(sides: &BothSides<'_>) -> Option<Finding> {
         })
         .collect();
     let [first, counterpart] = *off.first()?;
-    let more = match off.len() {
-        1 => String::new(),
-        2 => format!("; so is 1 other of {} pairs", sides.pairs.len()),
-        count => format!("; so are {} others of {} pairs", count - 1, sides.pairs.len()),
-    };
+    let more = other_cases_in_words(off.len(), "another pair, too", "other pairs, too");
     let text = format!(
         "the contact of {} on the {} is switched off, that of {}, its counterpart, is not{more}",
         shown(&first.sphere.name),
