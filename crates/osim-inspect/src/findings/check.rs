@@ -72,7 +72,7 @@ fn collect_findings(
     // A command that makes contacts right for what is wrong elsewhere would hide the fault.
     let has_finding = |code| model_findings(model).iter().any(|finding| finding.code() == code);
     let has_loose_body = has_finding(BodyWithoutJoint);
-    let causes = [MasslessBody, HeavyFoot, MisplacedObject, FootSphereOnGround];
+    let causes = [MasslessBody, HeavyFoot, OutOfDomain, MisplacedObject, FootSphereOnGround];
     let floors_of_model = Floors::of(model);
     let about_floors = apply_floor_rules(model, inspected, &floors_of_model);
     let mut severe_about_floors = about_floors.iter().filter(|finding| finding.severity > Severity::Remark);

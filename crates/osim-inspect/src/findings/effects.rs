@@ -100,7 +100,7 @@ fn without_effects_anywhere(model: &Model, mut findings: Vec<FindingWithRemedy>)
     findings.retain(|one| {
         let is_of_force = misreads_force && EFFECTS_OF_MISREAD_FORCE.contains(&one.code());
         let is_of_sphere = misreads_sphere && EFFECTS_OF_MISREAD_SPHERE.contains(&one.code());
-        let is_of_body = has_unusable_mass && one.code() == MassUnknown;
+        let is_of_body = has_unusable_mass && matches!(one.code(), MassUnknown | SunkIn);
         one.severity == Severity::Remark || !(is_of_force || is_of_sphere || is_of_body)
     });
     // A sphere of the other side is in two forces: in its own, and in one that is not.

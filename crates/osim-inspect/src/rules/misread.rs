@@ -316,21 +316,26 @@ rule! { pub(super) OUT_OF_DOMAIN: OutOfDomain, Error, Sizes;
 
 /// A centre of mass that is farther than this from all joints of its body, m, is in another unit. No body of an animal is so long.
 const FARTHEST_CENTRE_M: f64 = 10.0;
+/// No body of an animal weighs more than this, kg: the mass is in grams.
+const LARGEST_MASS_KG: f64 = 1e5;
 /// Moments of inertia below this, kg m², are no rounding error.
 const LEAST_INERTIA: f64 = -1e-9;
 
-/// Finds bodies with a moment of inertia or a centre of mass that no body can have. OpenSim 4.6 simulates with them.
+/// Finds bodies with a mass, a moment of inertia or a centre of mass that no body can have. OpenSim 4.6 simulates with them.
 pub(super) fn find_impossible_bodies(model: &Model) -> Vec<Finding> {
     let finding = |body: &Body| {
         let (shape, path) = (model.body_shapes().get(&body.name)?, &body.path);
         let [xx, yy, zz, ..] = shape.inertia_kg_m2.unwrap_or_default();
         let distances_m = shape.joints_m.iter().map(|joint_m| joint_m.distance(shape.centre_m));
         let nearest_m = distances_m.reduce(f64::min).unwrap_or_default();
+        let kg = body.mass_kg().unwrap_or_default();
         let text = if let Some(moment) = [xx, yy, zz].into_iter().find(|&moment| moment < LEAST_INERTIA) {
             format!("inertia of {path} is {moment}, expected 0 or more")
         } else if nearest_m > FARTHEST_CENTRE_M {
             let far = three_significant(nearest_m);
             format!("mass_center of {path} is {far} m from a joint, expected at most {FARTHEST_CENTRE_M} m")
+        } else if kg > LARGEST_MASS_KG {
+            format!("mass of {path} is {kg} kg, expected at most {LARGEST_MASS_KG} kg")
         } else {
             return None;
         };

@@ -68,6 +68,7 @@ fn a_body_that_cannot_be_is_outside_the_domain() {
     let far = "mass_center of /bodyset/pelvis is 150 m from a joint, expected at most 10 m";
     for (old, new, expected) in [
         ("<mass_center>0 0 0<", "<mass_center>0 150 0<", far),
+        ("<mass>60<", "<mass>352125<", "mass of /bodyset/pelvis is 352125 kg, expected at most 100000 kg"),
         ("<inertia>1 1 1 ", "<inertia>1 -1 1 ", "inertia of /bodyset/pelvis is -1, expected 0 or more"),
     ] {
         let model = Model::parse(human.replacen(old, new, 1)).unwrap();
