@@ -34,6 +34,10 @@ rule! { pub(super) LEFT_RIGHT_BONES: LeftRightBones, Warning, Sides;
     example: Example::Models { good: "check/known_contacts.osim", bad: "check/left_right_bones.osim" },
 }
 
+/// A joint is beside the middle of a body if its place is farther than this from 0 along each axis, m: one axis leads sideways, and joints
+/// of both sides are at one place in planar models.
+const BESIDE_MIDDLE_M: f64 = 1e-3;
+
 /// The largest number of bodies from a foot to ground; joints can be in a loop.
 const MOST_BONES: usize = 32;
 
@@ -50,7 +54,8 @@ pub(super) fn find_wrong_side_or_unlike_limbs(model: &Model) -> Vec<Finding> {
             limbs.by_name.insert((without_side(&body.name), side), body.name.as_str());
         }
     }
-    limbs.find_odd_parent().or_else(|| limbs.find_unlike_bones()).into_iter().collect()
+    let unlike = || limbs.find_copied_joint().or_else(|| limbs.find_unlike_bones());
+    limbs.find_odd_parent().or_else(unlike).into_iter().collect()
 }
 
 /// The joints from each body up to the trunk, and the bodies of both sides, by which left and right limbs are compared.
@@ -145,6 +150,21 @@ impl<'m> LimbsFromFeet<'m> {
         let apart_m = (DVec3::new(1.0, 1.0, -1.0) * place(other)?).distance(place(foot)?);
         let apart_mm = three_significant(1e3 * apart_m);
         Some(format!("; {} is {apart_mm} mm from the mirror image of {}", shown(foot), shown(other)))
+    }
+
+    /// The finding that two limbs are joined to one place beside the middle of a body: the joint of one was copied from the other side.
+    fn find_copied_joint(&self) -> Option<Finding> {
+        let is_beside = |place_m: DVec3| place_m.to_array().into_iter().all(|at| at.abs() > BESIDE_MIDDLE_M);
+        let (body, other, parent) = self.by_name.values().find_map(|&body| {
+            let other = self.counterpart(body).filter(|_| Side::of_name(body) == Some(Side::Left))?;
+            let parent = self.parent(body).filter(|parent| self.parent(other) == Some(*parent))?;
+            let own_m = self.above.get(body)?.in_parent_m();
+            let is_copied = own_m == self.above.get(other)?.in_parent_m() && is_beside(own_m);
+            is_copied.then_some((body, other, parent))
+        })?;
+        let (left, right) = (shown(body), shown(other));
+        let text = format!("{left} and {right} are joined to one place of {}", shown(parent));
+        self.finding(&LEFT_RIGHT_BONES, body, text)
     }
 
     /// The finding about the two limbs that differ most.

@@ -43,6 +43,21 @@ fn spheres_of_feet_on_ground_are_found_with_any_name() {
     }
 }
 
+/// In a planar model both legs are joined to one place, in the middle of the pelvis.
+#[test]
+fn legs_that_are_joined_to_one_place_beside_the_middle_are_found() {
+    let (left, right) = ("<translation>0 -0.9 -0.1<", "<translation>0 -0.9 0.1<");
+    for (left_at, right_at, is_copied) in
+        [("0.05 -0.9 0.1", "0.05 -0.9 0.1", true), ("0.05 -0.9 0", "0.05 -0.9 0", false)]
+    {
+        let text = HUMAN.replace(left, &format!("<translation>{left_at}<"));
+        let found = findings_of_text(&text.replace(right, &format!("<translation>{right_at}<")));
+        let found = found.into_iter().find(|one| one.code() == FindingCode::LeftRightBones);
+        let expected = is_copied.then_some("calcn_l and calcn_r are joined to one place of pelvis");
+        assert_eq!(found.map(|found| found.message.to_string()).as_deref(), expected);
+    }
+}
+
 #[test]
 fn spheres_of_feet_on_a_body_that_is_welded_to_ground_are_found() {
     let body = "<Body name=\"stand\"><mass>0</mass></Body><Body name=\"pelvis\">";
