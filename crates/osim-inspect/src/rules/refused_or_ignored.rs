@@ -56,6 +56,9 @@ rule! { pub(super) VERSION_AGAINST_FORM: OtherVersion, Error;
 /// The first version whose joints are in a JointSet.
 const FIRST_VERSION_WITH_JOINT_SET: u32 = 30501;
 
+/// The last version whose contact geometry names a body; in later ones it names a frame.
+const LAST_VERSION_WITH_BODY_NAME: u32 = 30504;
+
 /// Finds a document whose form is that of another version than it says.
 fn find_version_against_form(model: &Model) -> Vec<Finding> {
     let document = model.document();
@@ -71,8 +74,14 @@ fn find_version_against_form(model: &Model) -> Vec<Finding> {
     tree.walk(document.data_root(), |id| {
         let tag = tree.name(id);
         let last = last_version_with(tree, id, tag).filter(|last| version > *last);
-        if let (Some(last), None) = (last, &late) {
-            late = Some((id, format!("{tag} is written as in documents up to {last}")));
+        let is_early = tag == "socket_frame" && version <= LAST_VERSION_WITH_BODY_NAME;
+        let versions = match last {
+            Some(last) => Some(format!("up to {last}")),
+            None if is_early && is_only_frame(tree, id) => Some("from 30505 on".to_owned()),
+            None => None,
+        };
+        if let (Some(versions), None) = (versions, &late) {
+            late = Some((id, format!("{tag} is written as in documents {versions}")));
         }
         late.is_none() && tag != "defaults"
     });
@@ -92,6 +101,7 @@ fn last_version_with(tree: &Tree, element: ElementId, tag: &str) -> Option<u32> 
     match tag {
         "location" if above(2) == "Joint" => Some(30499),
         "Joint" if above(1) == "Body" => Some(30500),
+        "body_name" if is_only_frame(tree, element) => Some(LAST_VERSION_WITH_BODY_NAME),
         "connectors" => Some(30507),
         "GeometryPath" if !["path", "components", "objects"].contains(&above(1)) => {
             let name = tree.attribute(element, "name").unwrap_or_default();
@@ -103,6 +113,15 @@ fn last_version_with(tree: &Tree, element: ElementId, tag: &str) -> Option<u32> 
     }
 }
 
+/// Whether `element` alone says what the contact geometry around it is attached to.
+fn is_only_frame(tree: &Tree, element: ElementId) -> bool {
+    let geometry = tree.parent(element).filter(|&id| GEOMETRY_CLASSES.contains(&tree.name(id)));
+    let is_frame = |id: &ElementId| {
+        ["body_name", "socket_", "connector"].iter().any(|begin| tree.name(*id).starts_with(begin))
+    };
+    geometry.is_some_and(|geometry| tree.children(geometry).filter(is_frame).count() == 1)
+}
+
 rule! { pub(super) MISPLACED_OBJECT: MisplacedObject, Error;
     what: "A force, contact geometry, a joint or a body is in the set of another kind.",
     why: "OpenSim refuses a set with an object of another kind.",
@@ -110,6 +129,8 @@ rule! { pub(super) MISPLACED_OBJECT: MisplacedObject, Error;
     repair: Repair::NotPossible("only numbers are changed, and the object has to move"),
     example: Example::Models { good: "format/v40000.osim", bad: "bad/sphere_in_force_set.osim" },
 }
+
+const SETS: [&str; 5] = ["BodySet", "JointSet", "ContactGeometrySet", "ForceSet", "ConstraintSet"];
 
 /// One finding for each set that has objects of another kind.
 fn find_misplaced_objects(model: &Model) -> Vec<Finding> {
@@ -121,11 +142,11 @@ fn find_misplaced_objects(model: &Model) -> Vec<Finding> {
             _ if tag.ends_with("Joint") => "JointSet",
             _ if GEOMETRY_CLASSES.contains(&tag) => "ContactGeometrySet",
             _ if FORCE_CLASSES.contains(&tag) => "ForceSet",
+            // A set is a part of the model.
+            _ if SETS.contains(&tag) => "Model",
             _ => components.tag(set),
         };
-        let is_of_other_kind = ["BodySet", "JointSet", "ContactGeometrySet", "ForceSet", "ConstraintSet"]
-            .contains(&components.tag(set))
-            && set_of_kind != components.tag(set);
+        let is_of_other_kind = SETS.contains(&components.tag(set)) && set_of_kind != components.tag(set);
         let tree = components.document_of(id).tree();
         is_of_other_kind
             && tree.parent(components.element(id)).is_some_and(|list| tree.name(list) == "objects")

@@ -73,6 +73,18 @@ fn each_kind_is_reported_once_at_its_place() {
         ),
         ("<Body name=\"pelvis\">", body, FindingCode::BodyWithoutJoint, Some("/bodyset/copy")),
         ("40000", "30000", FindingCode::OtherVersion, None),
+        (
+            "<socket_frame>/bodyset/calcn_r</socket_frame>",
+            "<body_name>calcn_r</body_name>",
+            FindingCode::OtherVersion,
+            None,
+        ),
+        (
+            force,
+            &format!("<ForceSet name=\"more\"><objects/></ForceSet>{force}"),
+            FindingCode::MisplacedObject,
+            Some("/forceset/more"),
+        ),
         (force, &format!("{sphere}{force}"), FindingCode::MisplacedObject, Some("/forceset/ball")),
         (set, &format!("<PinJoint name=\"odd\"></PinJoint>{set}"), FindingCode::IgnoredContacts, None),
         (
@@ -346,6 +358,12 @@ fn a_version_later_than_the_form_of_a_document_is_an_error() {
         assert!(!codes(last).contains(&FindingCode::OtherVersion), "{last}");
         assert!(codes(last + 1).contains(&FindingCode::OtherVersion), "{last}");
     }
+    // Contact geometry of a later version, pasted.
+    let text = include_str!("../../../../fixtures/format/v30000.osim");
+    let frame = "<socket_frame>/bodyset/calcn_r</socket_frame>";
+    let text = text.replace("<body_name>calcn_r</body_name>", frame);
+    let pasted = model_findings(&Model::parse(text).unwrap()).iter().map(Finding::code).collect::<Vec<_>>();
+    assert!(pasted.contains(&FindingCode::OtherVersion));
 }
 
 /// The first of both flags counts in OpenSim 4.6.
