@@ -187,6 +187,8 @@ const FOLLOWS_BONES_TOLERANCE: f64 = 0.01;
 /// The transition velocities of both sides differ little if their ratio is at most this. The velocities differ by 5 % in one published
 /// model, and by 200 times in models with a typing mistake.
 const SMALL_VELOCITY_RATIO: f64 = 1.2;
+/// Other numbers of both sides differ little if their ratio is at most this, as where those of one side were rounded.
+const SMALL_RATIO: f64 = 1.01;
 
 /// A number that differs between the sides.
 #[derive(Debug, Clone)]
@@ -280,8 +282,9 @@ impl SetPair<'_> {
         let difference = |(l, r): (&Value, &Value)| {
             let what = format!("{} is {} and {}", l.property, l.number, r.number);
             let times = (l.number / r.number).max(r.number / l.number);
-            let is_small = l.property == Property::TransitionVelocity && times <= SMALL_VELOCITY_RATIO;
-            sides.usual().difference((l, r), &what, is_small)
+            let is_velocity = l.property == Property::TransitionVelocity;
+            let most = if is_velocity { SMALL_VELOCITY_RATIO } else { SMALL_RATIO };
+            sides.usual().difference((l, r), &what, (1.0..=most).contains(&times))
         };
         differing.map(difference).collect()
     }

@@ -148,7 +148,7 @@ fn contacts_are_paired_by_place_whatever_their_names_are() {
 }
 
 #[test]
-fn radii_and_speeds_that_differ_as_little_as_published_ones_are_a_remark() {
+fn numbers_that_differ_as_little_as_published_or_rounded_ones_are_a_remark() {
     use FindingCode::{LeftRightClose, LeftRightDiffer};
     for (new, expected) in [
         ("0.0338", LeftRightClose),
@@ -162,12 +162,17 @@ fn radii_and_speeds_that_differ_as_little_as_published_ones_are_a_remark() {
         ("0.21", LeftRightClose),
         ("0.17", LeftRightClose),
         ("0.25", LeftRightDiffer),
+        ("-0.2", LeftRightDiffer),
         ("40", LeftRightDiffer),
     ] {
         assert_found(
             &with_edited_element(HUMAN, (SMOOTH_CLASS, "contact_ball_l"), VELOCITY_TEXT, new),
             &[expected],
         );
+    }
+    for (new, expected) in [("1990000", LeftRightClose), ("2025000", LeftRightDiffer)] {
+        let left = (SMOOTH_CLASS, "contact_ball_l");
+        assert_found(&with_edited_element(HUMAN, left, ">2000000<", &format!(">{new}<")), &[expected]);
     }
     // The older class has its velocity beside its parameter sets.
     let text =
