@@ -99,6 +99,29 @@ fn a_mass_that_cannot_be_used_is_said_once() {
     }
 }
 
+#[test]
+fn what_follows_elsewhere_in_the_model_is_left_out() {
+    use FindingCode::{ContactsOfAnotherMass, DoubledSpheres, NoSurfacesMeet, NotFinite};
+    const LISTS: &str = include_str!("../../../../fixtures/motion/walker.osim");
+    let mut places = HUMAN.split("<location>");
+    let start = places.next().unwrap().to_owned();
+    let at_origins = places.fold(start, |text, place| {
+        format!("{text}<location>0 0 0{}", &place[place.find("</location>").unwrap()..])
+    });
+    let without_gravity = HUMAN.replace(">0 -9.81 0<", ">NaN NaN NaN<");
+    let of_a_child = with_text_replaced(HUMAN, "Body name=\"pelvis\"", ">60<", ">29<");
+    let empty = LISTS.replace("heel_r floor", "").replace("ball_r floor", "");
+    for (text, code) in [
+        (at_origins, DoubledSpheres),
+        (without_gravity, NotFinite),
+        (of_a_child, ContactsOfAnotherMass),
+        (empty, NoSurfacesMeet),
+    ] {
+        let found = check_text(&text);
+        assert_eq!(severe_codes(&found), [code], "{:?}", found.findings);
+    }
+}
+
 /// A change is not blamed for what was hidden before it, but for all else: an odd radius can make contacts too stiff, and does not here.
 #[test]
 fn codes_that_were_left_out_are_those_of_this_model() {
