@@ -106,11 +106,12 @@ fn collect_findings(
         let disagree = findings.iter_mut().filter(|finding| finding.code() == MassSourcesDisagree);
         disagree.for_each(|finding| finding.finding.message.push(&mismatch.clause_about_masses()));
     }
-    let doubtful = [SphereInTwoForces, LeftRightSwapped];
+    let are_lost = [LeftRightMissing, NoSurfacesMeet, ShapePressesNothing];
+    let mut doubtful = [SphereInTwoForces, LeftRightSwapped].into_iter().chain(are_lost);
     let too_stiff = depth::find_too_stiff_contacts(&FigureCheck::new(inspected, &remedies));
     let is_too_stiff = too_stiff.is_some_and(|finding| finding.severity > Severity::Remark);
-    if doubtful.into_iter().any(has_finding) || is_too_stiff {
-        // Numbers that suit forces which are doubled, on the other foot or in another unit are wrong without the fault.
+    if doubtful.any(has_finding) || is_too_stiff {
+        // Numbers that suit forces which are doubled, lost, on the other foot or in another unit are wrong without the fault.
         remedies = remedies.none_yet();
     }
     // Figures under a gravity in another unit, or of a property whose name is misspelt, are not judged.
@@ -134,6 +135,10 @@ fn collect_findings(
     if let Some(bare) = contacts::find_bare_model(options, model) {
         let causes = [IgnoredContacts, FootSphereOnGround];
         findings.extend((!causes.into_iter().any(has_finding)).then(|| bare.into()));
+    }
+    if findings.iter().any(|one| one.code() == LeftRightDiffer && one.remedy.is_some()) {
+        // The other side has the stiffness that was forgotten.
+        findings.iter_mut().filter(|one| one.code() == DefaultStiffness).for_each(|one| one.remedy = None);
     }
     findings.extend(another_mass);
     findings.extend(another_gravity.map(FindingWithRemedy::from));

@@ -3,6 +3,7 @@
 use crate::checks::{check_text, check_with, find, remedy, with_text_replaced};
 use osim_inspect::InspectOptions;
 use osim_model::{FindingCode, Selection};
+use osim_requests::Request;
 use serde_json::{Value, json};
 
 /// A human of 62 kg on 6 spheres on each foot.
@@ -120,6 +121,11 @@ fn the_side_that_differs_gets_the_value_of_the_other() {
     let result = check_with("human.osim", &text, &InspectOptions::default());
     let expected = json!({"verb": "set", "set": {"stiffness": 1e6}, "select": ["contact_s1_l"]});
     assert_eq!(remedy(&result, FindingCode::LeftRightDiffer), expected);
+    // One that was forgotten, too: a preset would replace the contacts of both sides.
+    let text = format!("{before}{}", force.replacen("<stiffness>1000000</stiffness>", "", 1));
+    let result = check_with("human.osim", &text, &InspectOptions::default());
+    assert_eq!(remedy(&result, FindingCode::LeftRightDiffer), expected);
+    assert!(matches!(result.steps[..], [Request::Set(_)]), "{:?}", result.steps);
 }
 
 /// A model with two feet of six spheres. The left foot was scaled by 0.99, 0.96 and 0.97: its radii by the geometric mean of these, the

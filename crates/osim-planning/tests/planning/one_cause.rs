@@ -145,8 +145,8 @@ fn figures_under_a_gravity_that_is_wrong_are_not_judged() {
     }
 }
 
-/// Numbers that suit the rest of the model would be wrong once the fault is gone: a stiffness in the place of a friction, and one of three
-/// radii of a force, which no single value puts right.
+/// Numbers that suit the rest of the model would be wrong once the fault is gone: a stiffness in the place of a friction, one of three radii
+/// of a force, which no single value puts right, and a heel that one force has lost.
 #[test]
 fn no_command_hides_the_fault() {
     const FEET: &str = include_str!("../../../../fixtures/scale_tool/generic_hunt_crossley.osim");
@@ -154,7 +154,9 @@ fn no_command_hides_the_fault() {
     let exchanged = exchanged.replace("<static_friction>0.8<", "<static_friction>1000000<");
     let heel = "<ContactSphere name=\"heel_r\">";
     let larger = with_text_replaced(FEET, heel, ">0.032000000000000001<", ">0.062<");
+    let soft = FEET.replace(">2000000<", ">500000<");
     for (text, codes) in [
+        (soft.replace("floor heel_r", "floor"), [FindingCode::LeftRightMissing, FindingCode::SunkIn]),
         (exchanged, [FindingCode::LargeFriction, FindingCode::SunkIn]),
         (larger, [FindingCode::LeftRightDiffer, FindingCode::UnevenBottoms]),
     ] {
