@@ -134,8 +134,11 @@ impl BodyBones {
             // The origin of OpenSim's calcaneus is at the heel: here it is not known where the ankle is.
             return None;
         }
-        let forward = match self.farthest_joint(body) {
-            Some((_, joint)) => joint.in_parent_m - ankle_m,
+        // A shoe hangs on a foot, too.
+        let next_m = self.anatomy.joints_below(body).filter(|joint| self.is_foot(&joint.child));
+        let next_m = next_m.map(|joint| joint.in_parent_m);
+        let forward = match next_m.max_by(|a, b| a.length_squared().total_cmp(&b.length_squared())) {
+            Some(toes_m) => toes_m - ankle_m,
             None => self.standard_foot(body).map(|_| DVec3::X)?,
         };
         Some((ankle_m, forward.try_normalize()?))
@@ -265,6 +268,33 @@ pub(crate) fn same_size(a: [f64; 3], b: [f64; 3]) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_sole_under_a_foot_does_not_show_where_the_toes_are() {
+        let body = |name: &str, parent: &str, in_parent: &str, in_child: &str| {
+            format!(
+                "<Body name=\"{name}\"><mass>1</mass><Joint><PinJoint name=\"{name}_joint\">\
+                 <parent_body>{parent}</parent_body><location_in_parent>{in_parent}</location_in_parent>\
+                 <location>{in_child}</location></PinJoint></Joint></Body>"
+            )
+        };
+        let calcaneus = body("calcn_r", "tibia_r", "0 -0.4 0", "0.05 0.05 0");
+        let toes = body("toes_r", "calcn_r", "0.18 0 0", "0 0 0");
+        let forward = |bodies: &str| {
+            let text = format!(
+                "<OpenSimDocument Version=\"30000\"><Model name=\"m\"><BodySet><objects><Body name=\"tibia_r\">\
+                 <mass>1</mass></Body>{bodies}</objects></BodySet></Model></OpenSimDocument>"
+            );
+            BodyBones::of(&Model::parse(text).unwrap()).unwrap().ankle_and_forward("calcn_r")
+        };
+        let with_toes = format!("{calcaneus}{toes}");
+        assert!(forward(&with_toes).is_some());
+        for place in ["0 0 0", "0.2 0.1 0"] {
+            let sole = body("sole_r", "calcn_r", place, "0 0 0");
+            assert_eq!(forward(&format!("{calcaneus}{sole}")), None);
+            assert_eq!(forward(&format!("{with_toes}{sole}")), forward(&with_toes));
+        }
+    }
 
     #[test]
     fn a_mesh_with_a_transform_of_its_own_shows_no_ends_of_the_foot() {
