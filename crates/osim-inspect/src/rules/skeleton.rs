@@ -16,7 +16,7 @@ use crate::rules::spheres::{finding_about_spheres, other_cases_in_words};
 use osim_model::rule;
 
 rule! { pub(super) ODD_PARENT: OddParent, Warning, Sides;
-    what: "A body of one side hangs on a body of the other side, or on ground while its counterpart or its limb does not.",
+    what: "A body of one side hangs on a body of the other side, on another part of the trunk than its counterpart, or on ground apart from its limb.",
     why: "A joint that was copied keeps the parent of its original. OpenSim loads such a model: a shank then moves with the other thigh, a foot on ground stays where it is, and the contacts press at the wrong place.",
     advice: "Correct the parent frame of the joint",
     repair: Repair::NotPossible("only you know where the body belongs"),
@@ -115,8 +115,8 @@ impl<'m> LimbsFromFeet<'m> {
         self.finding(&ODD_PARENT, body, text)
     }
 
-    /// Whether `body` hangs on the other side, or on ground apart from its counterpart or from the rest of its limb; `None` without a
-    /// counterpart or a joint.
+    /// Whether `body` hangs on the other side, on a part of the trunk further from ground than its counterpart, or on ground apart from its
+    /// counterpart or from the rest of its limb; `None` without a counterpart or a joint.
     fn is_odd(&self, body: &str, movements: &Movements) -> Option<bool> {
         let counterpart = self.counterpart(body)?;
         let joint = self.above.get(body)?;
@@ -129,10 +129,17 @@ impl<'m> LimbsFromFeet<'m> {
             };
             return Some(self.model.spheres().iter().any(top) && self.by_name.iter().any(hangs_on_trunk));
         }
-        self.parent(counterpart)?;
+        let of_counterpart = self.parent(counterpart)?;
+        let carries_foot = || {
+            let feet = self.model.spheres().iter().filter_map(|sphere| sphere.body.as_deref());
+            feet.flat_map(|foot| self.path(foot)).any(|above| above == body)
+        };
         Some(match self.parent(body) {
             // The halves of a pelvis or of a crank can be welded.
             Some(parent) if parent == counterpart => joint.class != "WeldJoint",
+            Some(parent) if Side::of_name(parent).or(Side::of_name(of_counterpart)).is_none() => {
+                self.path(parent).count() > self.path(of_counterpart).count() && carries_foot()
+            }
             Some(parent) => Side::of_name(parent) == Side::of_name(counterpart),
             // A foot can be the root of the whole model.
             None => movements.top(counterpart) != body,
@@ -148,7 +155,8 @@ impl<'m> LimbsFromFeet<'m> {
         let from_trunk = pose.placement(trunk).ok()?.inverse();
         let place = |body| Some(from_trunk.point(pose.placement(body).ok()?.translation_m));
         let apart_m = (DVec3::new(1.0, 1.0, -1.0) * place(other)?).distance(place(foot)?);
-        let apart_mm = three_significant(1e3 * apart_m);
+        // Two feet that are exchanged are where they should be at this pose.
+        let apart_mm = (apart_m > 1e-3).then(|| three_significant(1e3 * apart_m))?;
         Some(format!("; {} is {apart_mm} mm from the mirror image of {}", shown(foot), shown(other)))
     }
 

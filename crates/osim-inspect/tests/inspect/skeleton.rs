@@ -77,6 +77,22 @@ fn spheres_of_feet_on_a_body_that_is_welded_to_ground_are_found() {
 }
 
 #[test]
+fn a_leg_on_another_part_of_the_trunk_than_the_other_leg_is_odd() {
+    let torso = "<Body name=\"torso\"><mass>1</mass></Body><Body name=\"pelvis\">";
+    let back = "<PinJoint name=\"back\"><socket_parent_frame>/bodyset/pelvis</socket_parent_frame>\
+                <socket_child_frame>/bodyset/torso</socket_child_frame></PinJoint><PinJoint name=\"leg_r\">";
+    let text = HUMAN.replacen("<Body name=\"pelvis\">", torso, 1);
+    let text = text.replacen("<PinJoint name=\"leg_r\">", back, 1);
+    let odd_parents = |text: &str| -> Vec<Option<String>> {
+        let odd = findings_of_text(text).into_iter().filter(|one| one.code() == FindingCode::OddParent);
+        odd.map(|one| one.place).collect()
+    };
+    assert!(odd_parents(&text).is_empty());
+    let on_torso = text.replacen("<socket_parent>/bodyset/pelvis<", "<socket_parent>/bodyset/torso<", 1);
+    assert_eq!(odd_parents(&on_torso), [Some("/jointset/leg_r".to_owned())]);
+}
+
+#[test]
 fn a_joint_whose_place_cannot_be_read_has_one_finding() {
     let [place, unreadable] = ["0.16341 -0.00183 -0.00099", "0.16341,-0.00183,-0.00099"];
     let (before, after) = HUMAN.rsplit_once(place).unwrap();

@@ -12,6 +12,10 @@ pub const SKELETON_DAMAGES: &[DamageKind] = &[
         let thigh = m.body(&["femur", "thigh"], "x_r")?;
         with_parent(m, leg_joint(m, &["tibia", "shank"], Side::Left)?, &thigh)
     }),
+    ("right thigh on the torso", "odd-parent", |m| {
+        m.model.bodies().iter().find(|body| body.name == "torso")?;
+        with_parent(m, leg_joint(m, &["femur", "thigh"], Side::Right)?, "torso")
+    }),
     ("right ankle at the knee", "left-right-bones", |m| {
         let joint = leg_joint(m, &["talus", "calcn", "foot"], Side::Right)?;
         let place = parent_end(m, joint, &["location_in_parent"], &["translation"])?;
