@@ -16,8 +16,8 @@ const EQUAL_MASSES_TOLERANCE: f64 = 0.02;
 /// Contacts need no scaling if their mass is nearer to the target mass than this (relative): no scale is read more exactly than 0.1 %.
 const AT_TARGET_TOLERANCE: f64 = 1e-3;
 
-/// Two gravities count as equal if they differ by less than this (relative).
-const EQUAL_GRAVITIES_TOLERANCE: f64 = 1e-3;
+/// Two gravities count as equal if they differ by less than this (relative), as at two places on the Earth.
+const EQUAL_GRAVITIES_TOLERANCE: f64 = 5e-3;
 
 /// The masses that the caller gives, and the bodies to sum.
 ///
@@ -234,7 +234,7 @@ pub fn are_equal_masses(a: f64, b: f64) -> bool {
     (a - b).abs() <= EQUAL_MASSES_TOLERANCE * a.abs().min(b.abs())
 }
 
-/// Whether two gravities count as equal: `noted` is within a thousandth of `own`.
+/// Whether two gravities count as equal: `noted` is within 0.5 % of `own`.
 pub fn are_equal_gravities(noted: f64, own: f64) -> bool {
     (noted - own).abs() <= EQUAL_GRAVITIES_TOLERANCE * own
 }

@@ -277,6 +277,16 @@ fn a_model_without_gravity_gets_a_finding() {
 }
 
 #[test]
+fn gravity_at_another_place_on_the_earth_is_that_of_the_note() {
+    let is_found = |gravity: &str| {
+        let text = include_str!("../../../../fixtures/check/noted.osim");
+        let found = with_stance(&text.replace("0 -9.81 0", gravity), Stance::default());
+        has(&found, FindingCode::GravitySourcesDisagree)
+    };
+    assert!(!is_found("0 -9.78 0") && !is_found("0 -9.83 0") && is_found("0 -9.7 0"));
+}
+
+#[test]
 fn gravity_is_not_reported_missing_if_figures_fail_for_another_reason() {
     let text = foot(&[SmoothContact { dissipation: -1.0, ..SOLE }]);
     assert!(!has(&with_stance(&text, Stance::default()), FindingCode::NoGravity));
