@@ -13,18 +13,18 @@ use FindingCode::*;
 /// Codes of causes, and the codes of what follows from them anywhere in the model, in the order in which they are left out. If something
 /// else causes it, too, that is found once the first cause is gone.
 const EFFECTS: [(&[FindingCode], &[FindingCode]); 14] = [
+    (&[AngleInDegrees], &[LeftRightBones, LeftRightPlaces, OddPlace, SpheresMisplaced, UnevenBottoms]),
     (&[MisplacedObject], &[ConnecteeByName]),
     (&[NotFinite], &[NoGravity]),
     (&[LeftRightBones, OddParent], &[OddPlace, OddRadius, SpheresMisplaced, UnevenBottoms]),
     (&[NoSurfacesMeet, ShapePressesNothing], &[LeftRightMissing, OneSideOnly]),
-    (&[LeftRightOff], &[SpheresMisplaced]),
     (&[DoubledSpheres], &[CrowdedSpheres]),
     (&[ContactsOfAnotherMass, GravitySourcesDisagree, MassSourcesDisagree], &[Floats, ForceBeforeContact]),
     (&[MasslessBody], &[ContactsOfAnotherMass, Floats, ForceBeforeContact, TooStiff]),
     (&[ContactsOfAnotherMass], &[SunkIn]),
     (&[SphereInTwoForces, DoubledSpheres], &[Floats, ForceBeforeContact]),
     (&[SphereOfOtherSide], &[SphereInTwoForces, LeftRightMissing, OneSideOnly]),
-    (&[LeftRightSwapped], &[SpheresMisplaced]),
+    (&[LeftRightOff, LeftRightSwapped], &[SpheresMisplaced]),
     (&[OddRadius], &[UnevenBottoms]),
     (&[OddPlace, SpheresMisplaced], &[UnevenBottoms]),
 ];

@@ -137,18 +137,19 @@ pub(super) fn find_zero_constant_contact_force(model: &Model) -> Vec<Finding> {
 }
 
 rule! { pub(super) ANGLE_IN_DEGREES: AngleInDegrees, Error, Floor;
-    what: "An angle of a half-space, or of a frame that carries it, is in degrees.",
+    what: "An angle of a half-space or of a frame is in degrees.",
     why: "OpenSim reads orientations in radians: -90 is 14 whole turns and a little more, which looks like a slope of 26.6 degrees.",
     advice: "Write the angles in radians: degrees × π/180",
-    repair: Repair::NotPossible("the floor has to be corrected in the file; the finding names the line and what to write"),
+    repair: Repair::NotPossible("the angle has to be corrected in the file; the finding names the line and what to write"),
     example: Example::ElementText { tag: "orientation", good: "0 0 -1.5707963267948966", bad: "0 0 -90" },
 }
 
-/// Finds half-spaces that are turned by more than a whole turn, so their angles are probably in degrees. Each orientation is reported once.
+/// Finds half-spaces and frames that are turned by more than a whole turn, so their angles are probably in degrees. Each is reported once.
 pub(super) fn find_angle_in_degrees(model: &Model) -> Vec<Finding> {
     let mut found: Vec<Finding> = Vec::new();
     let planes = model.half_spaces().into_iter().chain(model.half_spaces_inside());
-    for orientation in planes.flat_map(|plane| plane.orientations) {
+    let of_planes = planes.flat_map(|plane| plane.orientations);
+    for orientation in of_planes.chain(Orientation::of_frames(model.components())) {
         let is_reported = found.iter().any(|known| known.place.as_deref() == Some(orientation.path.as_str()));
         found.extend(find_degrees_in_orientation(&orientation).filter(|_| !is_reported));
     }

@@ -101,7 +101,7 @@ fn a_mass_that_cannot_be_used_is_said_once() {
 
 #[test]
 fn what_follows_elsewhere_in_the_model_is_left_out() {
-    use FindingCode::{ContactsOfAnotherMass, DoubledSpheres, NoSurfacesMeet, NotFinite};
+    use FindingCode::{AngleInDegrees, ContactsOfAnotherMass, DoubledSpheres, NoSurfacesMeet, NotFinite};
     const LISTS: &str = include_str!("../../../../fixtures/motion/walker.osim");
     let mut places = HUMAN.split("<location>");
     let start = places.next().unwrap().to_owned();
@@ -111,7 +111,10 @@ fn what_follows_elsewhere_in_the_model_is_left_out() {
     let without_gravity = HUMAN.replace(">0 -9.81 0<", ">NaN NaN NaN<");
     let of_a_child = with_text_replaced(HUMAN, "Body name=\"pelvis\"", ">60<", ">29<");
     let empty = LISTS.replace("heel_r floor", "").replace("ball_r floor", "");
+    let leg = "PinJoint name=\"leg_r\"";
+    let turned = with_text_replaced(HUMAN, leg, "<orientation>0 0 0<", "<orientation>0 0 90<");
     for (text, code) in [
+        (turned, AngleInDegrees),
         (at_origins, DoubledSpheres),
         (without_gravity, NotFinite),
         (of_a_child, ContactsOfAnotherMass),

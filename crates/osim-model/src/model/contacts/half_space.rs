@@ -183,6 +183,19 @@ impl Orientation {
         [0.0, about_y + 0.0, libm::atan2(-y, level) + 0.0]
     }
 
+    /// The orientations of all offset frames, and of the ends of joints, which documents before version 4 have in the joints.
+    pub fn of_frames(components: &Components) -> impl Iterator<Item = Self> {
+        let tags = move |id| -> &'static [&'static str] {
+            match components.tag(id) {
+                "PhysicalOffsetFrame" => &["orientation"],
+                tag if tag.ends_with("Joint") => &["orientation_in_parent", "orientation"],
+                _ => &[],
+            }
+        };
+        let of_component = move |id| tags(id).iter().map(move |&tag| Self::read(components, id, tag, [0.0; 3]));
+        components.tree.iter().flat_map(move |(id, _)| of_component(id))
+    }
+
     /// Reads the orientation in the element `tag` of a component; without this element, the angles are `otherwise`, rad.
     pub(super) fn read(
         components: &Components,
