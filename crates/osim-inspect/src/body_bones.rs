@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
 use std::sync::OnceLock;
 
-use foldhash::{HashMap, HashMapExt, HashSet};
+use foldhash::{HashMap, HashSet};
 use osim_model::compare::bone_of_mesh;
 use osim_model::opensim_text::list_words;
 use osim_model::{Anatomy, AnatomyJoint, ComponentId, Components, DVec3, ElementId, Model};
@@ -33,8 +33,6 @@ pub(crate) struct BodyBones {
     anatomy: Anatomy,
     /// The bone of each body that has meshes. A bone is computed at its first use.
     bodies: HashMap<String, OnceLock<BodyBone>>,
-    /// For each body, the next joint that is farthest from the body's origin: the square of the distance, m², and the index of the joint.
-    farthest: HashMap<String, (f64, usize)>,
     /// The bodies on which the mesh of OpenSim's foot is elsewhere than in OpenSim's models.
     moved: HashSet<String>,
 }
@@ -73,20 +71,12 @@ impl BodyBones {
     /// Reads the bones from bodies, meshes and joints of `model`.
     fn read(model: &Model) -> Self {
         let anatomy = Anatomy::bones_of(model);
-        let mut farthest: HashMap<String, (f64, usize)> = HashMap::new();
-        for (at, joint) in anatomy.joints.iter().enumerate() {
-            let squared = joint.in_parent_m.length_squared();
-            let most = farthest.entry(joint.parent.clone()).or_insert((squared, at));
-            if squared.total_cmp(&most.0).is_ge() {
-                *most = (squared, at);
-            }
-        }
         let bodies = anatomy.bodies.iter().map(|body| (body.clone(), OnceLock::new())).collect();
         let components = model.components();
         let all = components.tree.iter().map(|(id, _)| id).filter(|&id| components.tag(id) == "Body");
         let moved = all.filter(|&id| has_moved_foot(components, id));
         let moved = moved.map(|id| components.name(id).into_owned()).collect();
-        Self { anatomy, bodies, farthest, moved }
+        Self { anatomy, bodies, moved }
     }
 
     /// The bone of a body, which is computed at the first call.
@@ -134,11 +124,8 @@ impl BodyBones {
             // The origin of OpenSim's calcaneus is at the heel: here it is not known where the ankle is.
             return None;
         }
-        // A shoe hangs on a foot, too.
-        let next_m = self.anatomy.joints_below(body).filter(|joint| self.is_foot(&joint.child));
-        let next_m = next_m.map(|joint| joint.in_parent_m);
-        let forward = match next_m.max_by(|a, b| a.length_squared().total_cmp(&b.length_squared())) {
-            Some(toes_m) => toes_m - ankle_m,
+        let forward = match self.farthest_joint(body) {
+            Some(joint) => joint.in_parent_m - ankle_m,
             None => self.standard_foot(body).map(|_| DVec3::X)?,
         };
         Some((ankle_m, forward.try_normalize()?))
@@ -149,10 +136,10 @@ impl BodyBones {
         self.bodies.keys().any(|body| self.is_foot(body))
     }
 
-    /// The next joint of `body` that is farthest from the origin of `body`, and the square of the distance, m².
-    pub(crate) fn farthest_joint(&self, body: &str) -> Option<(f64, &AnatomyJoint)> {
-        let (squared, at) = self.farthest.get(body)?;
-        Some((*squared, self.anatomy.joints.get(*at)?))
+    /// The joint to the next bone of the foot that is farthest from the origin of `body`. A shoe is no bone.
+    pub(crate) fn farthest_joint(&self, body: &str) -> Option<&AnatomyJoint> {
+        let next = self.anatomy.joints_below(body).filter(|joint| self.is_foot(&joint.child));
+        next.max_by(|a, b| a.in_parent_m.length_squared().total_cmp(&b.in_parent_m.length_squared()))
     }
 
     /// Whether a foot hangs on `body`, directly or by other bodies.

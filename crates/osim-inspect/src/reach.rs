@@ -106,13 +106,13 @@ pub(crate) fn reaches(model: &Model, bones: &BodyBones) -> Vec<Reach> {
         // Of several next joints, the one that is farthest from the body's origin. A joint nearer than a radius does not show how long
         // the bone is.
         let radius_m = sphere.radius.number;
-        let next = bones.farthest_joint(body).filter(|(squared, _)| *squared > radius_m * radius_m);
-        reaches.extend(next.map(|(squared, joint)| {
+        let next = bones.farthest_joint(body).filter(|joint| joint.in_parent_m.length() > radius_m);
+        reaches.extend(next.map(|joint| {
             let along = |from_m: DVec3| {
                 let way_m = joint.in_parent_m - from_m;
                 (centre - from_m).dot(way_m) / way_m.length_squared()
             };
-            let of_origin = centre.dot(joint.in_parent_m) / squared;
+            let of_origin = along(DVec3::ZERO);
             // The origin of a body can be far from the joint above it, for example at the centre of mass.
             let of_joint = bones.joint_above(body).map_or(f64::NAN, |above| along(above.in_child_m));
             let off = |value: f64| (value - MIDDLE_TOWARDS_JOINT).abs();

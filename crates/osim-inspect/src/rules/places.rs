@@ -136,7 +136,8 @@ fn find_misplaced_by_file_alone(evidence: &PlaceEvidence, model: &Model) -> Opti
                 "spheres are on {}, and the feet of the model have none",
                 listed(bodies, MOST_BODIES_NAMED)
             );
-            find_spheres_beside_feet(model, bodies, text)
+            let is_there = |sphere: &&Sphere| sphere.body.as_ref().is_some_and(|body| bodies.contains(body));
+            finding_about_spheres(&SPHERES_MISPLACED, text, model.spheres().iter().filter(is_there))
         }
         PlaceEvidence::Mirrored(title) => {
             let text = format!(
@@ -162,12 +163,6 @@ fn find_misplaced_by_file_alone(evidence: &PlaceEvidence, model: &Model) -> Opti
 
 /// The largest number of bodies that a message names.
 const MOST_BODIES_NAMED: usize = 4;
-
-/// The finding that all spheres are on `bodies`, none of which belongs to a foot.
-fn find_spheres_beside_feet(model: &Model, bodies: &[String], text: String) -> Option<Finding> {
-    let is_there = |sphere: &&Sphere| sphere.body.as_ref().is_some_and(|body| bodies.contains(body));
-    finding_about_spheres(&SPHERES_MISPLACED, text, model.spheres().iter().filter(is_there))
-}
 
 /// A finding for all spheres that stayed at their places, and a finding for all that were moved to wrong places; a single finding if the
 /// two models cannot be compared.

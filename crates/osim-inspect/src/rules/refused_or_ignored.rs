@@ -18,10 +18,11 @@ pub(super) fn find_unread(model: &Model) -> Vec<Finding> {
         find_body_without_joint,
         find_version_against_form,
         find_misplaced_objects,
-        find_ignored_contacts,
-        find_unknown_names,
+        find_unknown_classes,
     ];
-    rules.iter().flat_map(|find| find(model)).collect()
+    let of_file = |file| [find_ignored_contacts(model, file), find_unknown_properties(model, file)];
+    let of_model = rules.iter().map(|find| find(model));
+    of_model.chain(files_of_model(model).flat_map(of_file)).flatten().collect()
 }
 
 rule! { pub(super) BODY_WITHOUT_JOINT: BodyWithoutJoint, Error, Mass;
@@ -172,11 +173,6 @@ rule! { pub(super) IGNORED_CONTACTS: IgnoredContacts, Warning;
     example: Example::Models { good: "format/v40000.osim", bad: "bad/forceset_no_objects.osim" },
 }
 
-/// One finding for each place with contacts or joints that OpenSim does not read.
-fn find_ignored_contacts(model: &Model) -> Vec<Finding> {
-    files_of_model(model).flat_map(|file| find_ignored_contacts_in_file(model, file)).collect()
-}
-
 /// The main file and the files that it includes.
 fn files_of_model(model: &Model) -> impl Iterator<Item = FileId> {
     let included = model.companions().filter(|(_, companion)| companion.included_by.is_some());
@@ -195,8 +191,8 @@ fn count_neighbours<T: PartialEq>(items: impl IntoIterator<Item = (T, T)>) -> Ve
     counted
 }
 
-/// Finds contacts in one file at places that OpenSim does not read.
-fn find_ignored_contacts_in_file(model: &Model, file: FileId) -> Vec<Finding> {
+/// One finding for each place in one file with contacts or joints that OpenSim does not read.
+fn find_ignored_contacts(model: &Model, file: FileId) -> Vec<Finding> {
     let (document, components) = (model.file(file), model.components());
     let tree = document.tree();
     // Objects of classes that OpenSim does not know have a finding of their own.
@@ -263,12 +259,6 @@ static FORCE_CLASSES: [&str; 3] =
 /// Classes of early versions of Moco that OpenSim does not have, with the classes that took their place.
 const RENAMED_CLASSES: [(&str, &str); 1] = [("AckermannVanDenBogert2010Force", "SmoothSphereHalfSpaceForce")];
 
-/// Finds classes, and properties of contacts and of the sets around them, whose names are nearly OpenSim's names.
-fn find_unknown_names(model: &Model) -> Vec<Finding> {
-    let in_file = |file| find_unknown_names_in_file(model, file);
-    find_unknown_classes(model).into_iter().chain(files_of_model(model).flat_map(in_file)).collect()
-}
-
 /// Finds classes whose names are nearly those of OpenSim.
 fn find_unknown_classes(model: &Model) -> Vec<Finding> {
     let components = model.components();
@@ -320,8 +310,8 @@ pub(super) fn path_of_component(model: &Model, file: FileId, element: ElementId)
     component.map(|id| components.tree.path(id)).unwrap_or_default()
 }
 
-/// Finds names of properties in one file that are nearly those of OpenSim.
-fn find_unknown_names_in_file(model: &Model, file: FileId) -> Vec<Finding> {
+/// Finds names of properties in one file that are nearly those of OpenSim: of contacts, and of the sets around them.
+fn find_unknown_properties(model: &Model, file: FileId) -> Vec<Finding> {
     let document = model.file(file);
     let tree = document.tree();
     let (mut found, mut meant) = (Vec::new(), MeantNames::new());

@@ -159,11 +159,6 @@ fn can_be_set(values: &[(Property, f64)]) -> bool {
         && !values.contains(&(Property::ConstantContactForce, 0.0))
 }
 
-fn radii_of_force(model: &Model, force: &Force) -> Vec<f64> {
-    let spheres = force.spheres().iter().filter_map(|&id| model.sphere(id));
-    spheres.map(|sphere| sphere.radius.number).collect()
-}
-
 /// The values of the correct force that differ from those of the wrong one; `None` if one `set` cannot make them equal.
 fn values_to_copy(
     model: &Model,
@@ -175,7 +170,10 @@ fn values_to_copy(
     let pairs = wrong_set.values.iter().zip(&correct_set.values);
     let uneven = pairs.filter(|(wrong, correct)| wrong.number != correct.number);
     let mut values: Vec<(Property, f64)> = uneven.map(|(_, one)| (one.property, one.number)).collect();
-    let [wrong_radii, correct_radii] = [wrong, correct].map(|force| radii_of_force(model, force));
+    let [wrong_radii, correct_radii] = [wrong, correct].map(|force| -> Vec<f64> {
+        let spheres = force.spheres().iter().filter_map(|&id| model.sphere(id));
+        spheres.map(|sphere| sphere.radius.number).collect()
+    });
     if wrong_radii != correct_radii {
         // On bones of another size, the radius of the other side and what follows from it would be wrong.
         if bones_differ() {

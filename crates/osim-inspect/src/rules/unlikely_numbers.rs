@@ -144,16 +144,9 @@ rule! { pub(super) ANGLE_IN_DEGREES: AngleInDegrees, Error, Floor;
     example: Example::ElementText { tag: "orientation", good: "0 0 -1.5707963267948966", bad: "0 0 -90" },
 }
 
-/// Finds half-spaces and frames that are turned by more than a whole turn, so their angles are probably in degrees. Each is reported once.
+/// Finds half-spaces and frames that are turned by more than a whole turn, so their angles are probably in degrees.
 pub(super) fn find_angle_in_degrees(model: &Model) -> Vec<Finding> {
-    let mut found: Vec<Finding> = Vec::new();
-    let planes = model.half_spaces().into_iter().chain(model.half_spaces_inside());
-    let of_planes = planes.flat_map(|plane| plane.orientations);
-    for orientation in of_planes.chain(Orientation::of_frames(model.components())) {
-        let is_reported = found.iter().any(|known| known.place.as_deref() == Some(orientation.path.as_str()));
-        found.extend(find_degrees_in_orientation(&orientation).filter(|_| !is_reported));
-    }
-    found
+    Orientation::all(model.components()).filter_map(|one| find_degrees_in_orientation(&one)).collect()
 }
 
 /// The finding that an orientation is in degrees; `None` if it is not.

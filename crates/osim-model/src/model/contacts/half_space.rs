@@ -183,11 +183,12 @@ impl Orientation {
         [0.0, about_y + 0.0, libm::atan2(-y, level) + 0.0]
     }
 
-    /// The orientations of all offset frames, and of the ends of joints, which documents before version 4 have in the joints.
-    pub fn of_frames(components: &Components) -> impl Iterator<Item = Self> {
+    /// The orientations of all half-spaces, offset frames and, in documents before version 4, ends of joints.
+    pub fn all(components: &Components) -> impl Iterator<Item = Self> {
         let tags = move |id| -> &'static [&'static str] {
             match components.tag(id) {
-                "PhysicalOffsetFrame" => &["orientation"],
+                "ContactHalfSpace" | "PhysicalOffsetFrame" => &["orientation"],
+                "SmoothSphereHalfSpaceForce" => &["contact_half_space_orientation"],
                 tag if tag.ends_with("Joint") => &["orientation_in_parent", "orientation"],
                 _ => &[],
             }

@@ -230,6 +230,7 @@ pub const HARMLESS: &[HarmlessEdit] = &[
     ("a hopper", super::skeleton::hopper),
     ("a one-legged model", super::skeleton::one_legged),
     ("a prosthetic leg with fewer bodies", super::skeleton::prosthesis),
+    ("a sole of an exoskeleton under each foot", super::skeleton::with_soles),
     ("friction of another floor", |m| with_friction(m, "0.9")),
     ("all masses 1 % more", |m| m.masses(is_any, |kg| kg * 1.01)),
     ("a sensor of 10 g", |m| m.masses(is_torso, |kg| kg + 0.01)),

@@ -157,6 +157,26 @@ pub fn prosthesis(m: &Published) -> Edited {
     })
 }
 
+/// The model with a body that is welded under each foot. Only documents of version 4 have joints in a set.
+pub fn with_soles(m: &Published) -> Edited {
+    let mut text = m.text.clone();
+    for side in ["r", "l"] {
+        let has_joint_set = m.model.document().version() >= 40000;
+        let foot = m.body(&["calcn"], &format!("x_{side}")).filter(|_| has_joint_set)?;
+        let sole = format!("<Body name=\"sole_{side}\"><mass>0.2</mass></Body>");
+        let weld = format!(
+            "<WeldJoint name=\"under_{side}\"><socket_parent_frame>/bodyset/{foot}</socket_parent_frame>\
+             <socket_child_frame>/bodyset/sole_{side}</socket_child_frame></WeldJoint>"
+        );
+        for (set, object) in [("<BodySet", sole), ("<JointSet", weld)] {
+            let start = text.find(set)?;
+            let list = start + text[start..].find("<objects>")? + "<objects>".len();
+            text.insert_str(list, &object);
+        }
+    }
+    Some(text)
+}
+
 fn with_locked_joints(m: &Published, of: impl Fn(&str) -> bool) -> Edited {
     m.edit(&["Coordinate"], &["locked"], |name, _| of(name).then(|| "true".to_owned()))
 }
