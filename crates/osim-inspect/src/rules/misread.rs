@@ -20,7 +20,7 @@ type DescribeValue = fn(&Value) -> Option<String>;
 /// Rules about single values. Only the first rule that applies to a value is reported.
 const VALUE_RULES: [(&Rule, DescribeValue); 3] = [
     (&ODD_NUMBER, describe_odd_number),
-    (&NOT_FINITE, describe_not_finite),
+    (&NOT_FINITE, |value| (!value.number.is_finite()).then(|| format!("is {}", value.number))),
     (&OUT_OF_DOMAIN, describe_out_of_domain),
 ];
 
@@ -280,11 +280,6 @@ rule! { pub(super) NOT_FINITE: NotFinite, Error, Sizes;
     advice: "Correct the number in the model",
     repair: Repair::NotPossible("only you know which number is right"),
     example: Example::ElementText { tag: "radius", good: "0.0325", bad: "nan" },
-}
-
-/// Why a value is not finite, in words that follow the name of the value.
-fn describe_not_finite(value: &Value) -> Option<String> {
-    (!value.number.is_finite()).then(|| format!("is {}", value.number))
 }
 
 rule! { pub(super) ODD_NUMBER: OddNumber, Error, Sizes;

@@ -146,19 +146,17 @@ rule! { pub(super) ANGLE_IN_DEGREES: AngleInDegrees, Error, Floor;
 
 /// Finds half-spaces and frames that are turned by more than a whole turn, so their angles are probably in degrees.
 pub(super) fn find_angle_in_degrees(model: &Model) -> Vec<Finding> {
-    Orientation::all(model.components()).filter_map(|one| find_degrees_in_orientation(&one)).collect()
-}
-
-/// The finding that an orientation is in degrees; `None` if it is not.
-fn find_degrees_in_orientation(orientation: &Orientation) -> Option<Finding> {
-    let angles = orientation.angles_rad.filter(|_| orientation.is_in_degrees())?;
     let listed = |angles: [f64; 3]| angles.map(readable).join(" ");
-    let Orientation { path, tag, position, .. } = orientation;
-    let text = format!(
-        "{tag} of {} is {} rad, more than a whole turn: expected radians; for these degrees write <{tag}>{}</{tag}>",
-        shown(path),
-        listed(angles),
-        listed(angles.map(f64::to_radians)),
-    );
-    Some(Finding::at(&ANGLE_IN_DEGREES, *position, text).with_place(path))
+    let finding = |one: Orientation| {
+        let angles = one.angles_rad.filter(|_| one.is_in_degrees())?;
+        let text = format!(
+            "{tag} of {} is {} rad, more than a whole turn: expected radians; for these degrees write <{tag}>{}</{tag}>",
+            shown(&one.path),
+            listed(angles),
+            listed(angles.map(f64::to_radians)),
+            tag = one.tag,
+        );
+        Some(Finding::at(&ANGLE_IN_DEGREES, one.position, text).with_place(&one.path))
+    };
+    Orientation::all(model.components()).filter_map(finding).collect()
 }
