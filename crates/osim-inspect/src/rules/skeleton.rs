@@ -85,7 +85,10 @@ impl<'m> LimbsFromFeet<'m> {
 
     /// A finding of `rule` at the joint above `body`.
     fn finding(&self, rule: &'static Rule, body: &str, text: String) -> Option<Finding> {
-        let (joint, components) = (self.above.get(body)?, self.model.components());
+        // Where the ends of a joint were exchanged, the body is above it.
+        let below = || self.model.joints().iter().find(|joint| joint.parent.as_deref() == Some(body));
+        let joint = self.above.get(body).copied().or_else(below)?;
+        let components = self.model.components();
         let id = components.at(joint.file, joint.element)?;
         Some(Finding::at(rule, components.position_of(id), text).with_place(&components.tree.path(id)))
     }
@@ -116,10 +119,13 @@ impl<'m> LimbsFromFeet<'m> {
     }
 
     /// Whether `body` hangs on the other side, on a part of the trunk further from ground than its counterpart, or on ground apart from its
-    /// counterpart or from the rest of its limb; `None` without a counterpart or a joint.
+    /// counterpart or from the rest of its limb; `None` without a counterpart.
     fn is_odd(&self, body: &str, movements: &Movements) -> Option<bool> {
         let counterpart = self.counterpart(body)?;
-        let joint = self.above.get(body)?;
+        let Some(joint) = self.above.get(body) else {
+            let carries = |joint: &ModelJoint| joint.parent.as_deref() == Some(body);
+            return Some(self.model.joints().iter().any(carries) && self.parent(counterpart).is_some());
+        };
         if self.parent(body).is_none() && self.parent(counterpart).is_none() {
             // Other things of two sides, such as pedals, have no contacts.
             let top =

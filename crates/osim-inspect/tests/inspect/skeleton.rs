@@ -90,6 +90,11 @@ fn a_leg_on_another_part_of_the_trunk_than_the_other_leg_is_odd() {
     assert!(odd_parents(&text).is_empty());
     let on_torso = text.replacen("<socket_parent>/bodyset/pelvis<", "<socket_parent>/bodyset/torso<", 1);
     assert_eq!(odd_parents(&on_torso), [Some("/jointset/leg_r".to_owned())]);
+    // The ends of a joint were exchanged: OpenSim hangs the toes on ground.
+    let ends = [">calcn_r_offset<", ">/bodyset/toes_r</socket_child_frame"];
+    let exchanged = HUMAN.replacen(ends[0], ">/bodyset/toes_r<", 1);
+    let exchanged = exchanged.replacen(ends[1], ">calcn_r_offset</socket_child_frame", 1);
+    assert_eq!(odd_parents(&exchanged), [Some("/jointset/mtp_r".to_owned())]);
 }
 
 #[test]
