@@ -60,7 +60,8 @@ impl PlaceEvidence {
         let mut bodies = carriers.iter().filter_map(|&id| model.sphere(id)?.body.as_deref());
         // Only feet count: meshes of balls and blocks are stretched to their size.
         let is_scaled = |body: &str| {
-            bones.is_foot(body) && bones.size(body).is_some_and(|size| !is_conversion_of_unit(size))
+            let is_unit = |size| (-6..=3).any(|exponent| same_size(size, [10_f64.powi(exponent); 3]));
+            bones.is_foot(body) && bones.size(body).is_some_and(|size| !is_unit(size))
         };
         if bodies.any(is_scaled) { Self::Unknown } else { Self::Unscaled }
     }
@@ -104,11 +105,6 @@ fn are_named_after(model: &Model, spheres: &[SphereId], body: &str) -> bool {
     let on_body = spheres.iter().filter_map(|&id| model.sphere(id));
     let mut on_body = on_body.filter(|sphere| sphere.body.as_deref() == Some(body));
     !part.is_empty() && on_body.all(|sphere| sphere.name.to_lowercase().contains(part))
-}
-
-/// Whether the factors of meshes are 1, or convert a unit of length, such as 0.001.
-fn is_conversion_of_unit(factors: [f64; 3]) -> bool {
-    (-6..=3).any(|exponent| same_size(factors, [10_f64.powi(exponent); 3]))
 }
 
 #[cfg(test)]
