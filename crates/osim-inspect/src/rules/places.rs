@@ -57,8 +57,9 @@ impl<'i> SpherePlaces<'i> {
 
     /// Whether spheres are known to be at the right places.
     pub(crate) fn are_right(&self) -> bool {
-        let are_placed = || self.compared.is_some_and(SpherePlacements::is_right);
-        self.alone.as_ref().map_or_else(are_placed, PlaceEvidence::is_right)
+        // The caller who names another model says that the bodies were scaled.
+        let are_placed = || self.alone.as_ref().is_some_and(PlaceEvidence::is_right);
+        self.compared.map_or_else(are_placed, SpherePlacements::is_right)
     }
 
     /// The findings about wrong places, with their remedies.

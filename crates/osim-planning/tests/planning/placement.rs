@@ -327,6 +327,14 @@ fn a_wrong_original_is_reported_and_the_evidence_of_the_file_stays() {
     let why = said.iter().find(|one| one.code() == FindingCode::SpheresNotCompared).unwrap();
     assert!(why.message.to_string().contains("not a scaled copy of that one"), "{}", why.message);
     assert!(said.iter().all(|one| one.remedy.is_none()));
+    // A command for the mass would leave spheres behind that did not follow.
+    let light = RIGHT_PLACES.replace("<mass>60</mass>", "<mass>45</mass>");
+    let has_command = |other: Option<&str>| {
+        let found = check_text(&light, other).findings;
+        let mass = found.into_iter().find(|one| one.code() == FindingCode::ContactsOfAnotherMass).unwrap();
+        mass.remedy.is_some()
+    };
+    assert!(has_command(None) && !has_command(Some(&unlike)));
 }
 
 #[test]
