@@ -84,7 +84,9 @@ fn bodies_beside_feet(model: &Model, bones: &BodyBones) -> Option<Vec<String>> {
     let bodies: BTreeSet<&str> = spheres.iter().filter_map(|&id| model.sphere(id)?.body.as_deref()).collect();
     let names = |part: &'static str| move |body: &&str| body.to_lowercase().contains(part);
     let has_calcaneus = model.bodies().iter().any(|body| names("calc")(&body.name.as_str()));
-    let is_foot = |body: &&str| if has_calcaneus { names("calc")(body) } else { bones.is_foot(body) };
+    // Animals stand on a manus, too.
+    let is_any_foot = |body: &&str| bones.is_foot(body) || names("manus")(body);
+    let is_foot = |body: &&str| if has_calcaneus { names("calc")(body) } else { is_any_foot(body) };
     if bodies.iter().any(is_foot) || !bones.has_feet() {
         return None;
     }
@@ -214,6 +216,18 @@ mod tests {
         });
         let model = Model::parse(format!("{with_ball}<ContactGeometrySet{on_ball}")).unwrap();
         assert!(!matches!(PlaceEvidence::of(&model, None), PlaceEvidence::NotOnFeet(_)));
+    }
+
+    #[test]
+    fn an_animal_may_have_contacts_under_its_fore_feet_alone() {
+        let horse = include_str!("../../../fixtures/table1/horse_hunt_crossley.osim");
+        let text = ["r", "l"].iter().fold(horse.to_owned(), |text, side| {
+            let start = format!("<HuntCrossleyForce name=\"contact_foot_hind_{side}\">");
+            let (before, force) = text.split_once(&start).unwrap();
+            format!("{before}{}", force.split_once("</HuntCrossleyForce>").unwrap().1)
+        });
+        let evidence = PlaceEvidence::of(&Model::parse(text).unwrap(), None);
+        assert!(!evidence.is_wrong(), "{evidence:?}");
     }
 
     #[test]
