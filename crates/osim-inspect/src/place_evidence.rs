@@ -41,7 +41,7 @@ impl PlaceEvidence {
             return Self::NotOnFeet(bodies);
         }
         if let Some(noted) = noted {
-            return if noted.is_scaled() { Self::ScaledSinceNote(noted) } else { Self::Right };
+            return if noted.spheres_left_behind { Self::ScaledSinceNote(noted) } else { Self::Right };
         }
         let Some(bones) = bones else { return Self::Unscaled };
         match find_layout(model, bones) {

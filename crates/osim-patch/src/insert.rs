@@ -37,10 +37,6 @@ impl NewElement {
         Self { name: Some(escaped_attribute(name)), ..Self::parent(tag, children) }
     }
 
-    pub(crate) fn tag(&self) -> &str {
-        &self.tag
-    }
-
     /// The element with `space` (line end and indentation) before it; its children are indented by `unit` more. Without a line
     /// end in `space`, all is on one line.
     pub(crate) fn text(&self, space: &str, unit: &str) -> String {
@@ -78,7 +74,7 @@ pub(crate) fn escaped_attribute(name: &str) -> String {
 pub(crate) fn insert(tree: &Tree, parent: ElementId, order: &[&str], nodes: &[NewElement]) -> Vec<Edit> {
     let rank = |tag: &str| order.iter().position(|known| *known == tag);
     let mut nodes: Vec<&NewElement> = nodes.iter().collect();
-    nodes.sort_by_key(|node| rank(node.tag()));
+    nodes.sort_by_key(|node| rank(&node.tag));
     if let Some(layout) = EmptyElement::read(tree, parent) {
         return vec![layout.fill(&nodes)];
     }
@@ -105,7 +101,7 @@ pub(crate) fn insert(tree: &Tree, parent: ElementId, order: &[&str], nodes: &[Ne
     nodes
         .iter()
         .map(|node| {
-            let (at, space) = place(node.tag());
+            let (at, space) = place(&node.tag);
             Edit { span: at..at, text: node.text(&space, unit) }
         })
         .collect()

@@ -31,7 +31,7 @@ pub(crate) struct SpherePlaces<'i> {
 fn noted_sizes(model: &Model) -> Option<ScaledSinceNote> {
     let since = model.scaled_since_note()?;
     let placed = model.note.as_ref().is_some_and(Note::has_placed_spheres);
-    (since.is_scaled() || placed).then_some(since)
+    (since.spheres_left_behind || placed).then_some(since)
 }
 
 /// The finding that spheres are at wrong places, by this file alone, for a change that does not move the spheres.

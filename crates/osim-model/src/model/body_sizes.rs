@@ -215,15 +215,11 @@ impl BodySize {
 pub struct ScaledSinceNote {
     /// The present mesh factors over those in the note, along x, y and z, by body. Exactly 1 if they are equal.
     pub factors: BTreeMap<String, [f64; 3]>,
-    spheres_left_behind: bool,
+    /// Whether a body with a sphere changed its size, so that the sphere is now at a wrong place.
+    pub spheres_left_behind: bool,
 }
 
 impl ScaledSinceNote {
-    /// Whether a body with a sphere changed its size, so that the sphere is now at a wrong place.
-    pub const fn is_scaled(&self) -> bool {
-        self.spheres_left_behind
-    }
-
     /// Whether the factors of every body that carries spheres of `model` are known.
     pub fn has_all_carriers(&self, model: &Model) -> bool {
         let carriers = model.loaded_spheres(&model.force_ids());

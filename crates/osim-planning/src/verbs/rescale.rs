@@ -126,7 +126,7 @@ impl BodyFactors {
             Self::Note => factors_since_note(model).map(Some),
             Self::File(file) => {
                 match model.scaled_since_note() {
-                    Some(since) if since.is_scaled() => check_factors_agree(&since, file)?,
+                    Some(since) if since.spheres_left_behind => check_factors_agree(&since, file)?,
                     Some(_) if model.note.as_ref().is_some_and(Note::has_placed_spheres) => {
                         return Err(Fault::new(MissingFact::AlreadyFollowed));
                     }
