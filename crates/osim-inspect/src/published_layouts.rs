@@ -30,8 +30,8 @@ struct PublishedLayout {
     /// For each published size of the bones, the factors of each body's meshes; names of bodies are without their side.
     sizes: Vec<BTreeMap<String, [f64; 3]>>,
     places: Option<Vec<PublishedPlace>>,
-    /// Digest of the places, if the licence does not allow copying them.
-    digest: Option<String>,
+    /// The number of places and their digest, if the licence does not allow copying them.
+    digest: Option<(usize, String)>,
 }
 
 /// The name of a body, and x, y, z of a sphere centre in it, m.
@@ -185,7 +185,9 @@ impl PublishedLayout {
                     rounding_of_places_m(list.iter().map(|centre| centre.at_m)).max(SAME_PLACE_M);
                 places.iter().all(|place| list.iter().any(|centre| place.is_at(centre, rounding_m)))
             }
-            (None, Some(digest)) => digest == centres.digest.get_or_init(|| digest_of_places(list)),
+            (None, Some((count, digest))) if *count == list.len() => {
+                digest == centres.digest.get_or_init(|| digest_of_places(list))
+            }
             _ => false,
         }
     }
@@ -259,7 +261,7 @@ mod tests {
         for layout in &layouts {
             assert!(layout.places.is_some() != layout.digest.is_some(), "{}", layout.name);
             assert!(!layout.sizes.is_empty() && !layout.source.is_empty(), "{}", layout.name);
-            assert!(layout.digest.as_ref().is_none_or(|digest| digest.len() == 32), "{}", layout.name);
+            assert!(layout.digest.as_ref().is_none_or(|(_, digest)| digest.len() == 32), "{}", layout.name);
         }
     }
 
