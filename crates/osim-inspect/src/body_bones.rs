@@ -7,7 +7,7 @@ use std::sync::OnceLock;
 use foldhash::{HashMap, HashSet};
 use osim_model::compare::bone_of_mesh;
 use osim_model::opensim_text::list_words;
-use osim_model::{Anatomy, AnatomyJoint, ComponentId, Components, DVec3, ElementId, Model};
+use osim_model::{Anatomy, AnatomyJoint, ComponentId, Components, DVec3, ElementId, Model, has_word};
 
 /// The heel of OpenSim's foot: the least x of `r_foot.vtp` in OpenSim's Geometry at factor 1, m.
 const HEEL_OF_OPENSIM_FOOT_X_M: f64 = -0.0098;
@@ -96,11 +96,11 @@ impl BodyBones {
 
     /// The length of `body` over the length of OpenSim's calcaneus, as the joint to the toes shows it.
     pub(crate) fn length_by_toe_joint(&self, body: &str) -> Option<f64> {
-        if !body.to_lowercase().contains("calc") {
+        if !has_word(body, "calc") {
             return None;
         }
         let mut below = self.anatomy.joints_below(body);
-        let toes = below.find(|joint| joint.child.to_lowercase().contains("toe"))?;
+        let toes = below.find(|joint| has_word(&joint.child, "toe"))?;
         Some(toes.in_parent_m[0] / TOES_BEGIN_X_M).filter(|factor| PLAUSIBLE_FACTORS.contains(factor))
     }
 
@@ -112,7 +112,7 @@ impl BodyBones {
 
     /// The place of the ankle in the calcaneus `body`, m, and the direction in which the foot points, both in the frame of `body`.
     pub(crate) fn ankle_and_forward(&self, body: &str) -> Option<(DVec3, DVec3)> {
-        if !body.to_lowercase().contains("calc") {
+        if !has_word(body, "calc") {
             return None;
         }
         let above = self.joint_above(body)?;
@@ -186,13 +186,12 @@ fn common_factors(anatomy: &Anatomy, body: &str) -> Option<[f64; 3]> {
 fn is_foot(anatomy: &Anatomy, body: &str) -> bool {
     // The meshes of a hand have phalanges, too.
     let names = anatomy.meshes.get(body).into_iter().flat_map(BTreeMap::keys).map(String::as_str);
-    !body.to_lowercase().contains("hand") && names.chain([body]).any(is_named_after_foot)
+    !has_word(body, "hand") && names.chain([body]).any(is_named_after_foot)
 }
 
 /// Whether the name of a body or of a mesh has a word for a foot.
 pub(crate) fn is_named_after_foot(name: &str) -> bool {
-    let name = name.to_lowercase();
-    FOOT_WORDS.iter().any(|word| name.contains(word))
+    FOOT_WORDS.iter().any(|word| has_word(name, word))
 }
 
 /// The scale factors of the mesh of OpenSim's bone `bone`, if `body` has this mesh.
@@ -200,7 +199,7 @@ fn factors_of_opensim_bone(anatomy: &Anatomy, body: &str, bone: &str) -> Option<
     let meshes = anatomy.meshes.get(body)?;
     // A file of another kind, or in another unit, is not that of OpenSim.
     let is_standard = |(file, [x, ..]): &(&String, &[f64; 3])| {
-        file.to_lowercase().contains(".vtp") && bone_of_mesh(file) == bone && PLAUSIBLE_FACTORS.contains(x)
+        has_word(file, ".vtp") && bone_of_mesh(file) == bone && PLAUSIBLE_FACTORS.contains(x)
     };
     meshes.iter().find(is_standard).map(|(_, factors)| *factors)
 }

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use osim_model::{Model, ScaledSinceNote, SphereId, without_side};
+use osim_model::{Model, ScaledSinceNote, SphereId, has_word, without_side};
 
 use crate::body_bones::{BodyBones, same_size};
 use crate::published_layouts::{LayoutMatch, find_layout, find_mirrored_layout};
@@ -82,7 +82,7 @@ impl PlaceEvidence {
 fn bodies_beside_feet(model: &Model, bones: &BodyBones) -> Option<Vec<String>> {
     let spheres = model.loaded_spheres(&model.force_ids());
     let bodies: BTreeSet<&str> = spheres.iter().filter_map(|&id| model.sphere(id)?.body.as_deref()).collect();
-    let names = |part: &'static str| move |body: &&str| body.to_lowercase().contains(part);
+    let names = |part: &'static str| move |body: &&str| has_word(body, part);
     let has_calcaneus = model.bodies().iter().any(|body| names("calc")(&body.name.as_str()));
     // Animals stand on a manus, too.
     let is_any_foot = |body: &&str| bones.is_foot(body) || names("manus")(body);

@@ -3,7 +3,7 @@
 
 use contact_scaling::limits::{INDENTATION, growth_to_indentation_limit};
 use osim_model::messages::{Input, Phrase, Verb, four_significant, phrase, readable};
-use osim_model::{Example, Finding, Repair, Rule, Severity, are_equal_masses};
+use osim_model::{Example, Finding, Repair, Rule, Severity, are_equal_masses, has_word};
 use osim_requests::Request;
 
 use crate::body_bones::is_named_after_foot;
@@ -49,7 +49,7 @@ fn can_carry(check: &FigureCheck<'_>) -> impl Fn(&SphereFigures) -> bool {
     let on_floors = bottoms_by_path(check);
     let carriers = check.inspected.spheres.iter().filter_map(|one| Some((&one.path, one.body.as_deref()?)));
     let has_feet = carriers.clone().any(|(_, body)| is_named_after_foot(body));
-    let is_of_hand = |body: &str| HAND_WORDS.iter().any(|word| body.to_lowercase().contains(word));
+    let is_of_hand = |body: &str| HAND_WORDS.iter().any(|word| has_word(body, word));
     let on_hands = carriers.filter(|(_, body)| has_feet && is_of_hand(body));
     let on_hands: Vec<&String> = on_hands.map(|(path, _)| path).collect();
     move |sphere| {

@@ -4,7 +4,9 @@ use std::collections::BTreeMap;
 
 use osim_model::compare::{PlacedSphere, SpherePlacements, is_stretched};
 use osim_model::messages::{Input, Verb, counted, listed, phrase, readable, shown, three_significant};
-use osim_model::{Example, Finding, FindingCode, Model, Note, Repair, ScaledSinceNote, Severity, Sphere};
+use osim_model::{
+    Example, Finding, FindingCode, Model, Note, Repair, ScaledSinceNote, Severity, Sphere, has_word,
+};
 use osim_requests::options::{FollowOptions, MovedChoice, ScalingOptions};
 use osim_requests::{Kilograms, Request, RescaleRequest, TransferRequest};
 
@@ -317,9 +319,8 @@ pub(super) fn find_toes_at_ankle(sides: &BothSides<'_>) -> Option<Finding> {
     let bones = BodyBones::of(sides.model)?;
     let mut near = Vec::new();
     for (sphere, body, place_m) in sides.spheres() {
-        let name = sphere.name.to_lowercase();
-        let is_toe =
-            !name.contains("heel") && ["toe", "hallux", "phal"].iter().any(|word| name.contains(word));
+        let has = |word: &str| has_word(&sphere.name, word);
+        let is_toe = !has("heel") && ["toe", "hallux", "phal"].into_iter().any(has);
         let ahead_m = bones.ahead_of_ankle_m(body, place_m).filter(|_| is_toe);
         let Some((ahead_m, bone_m)) = ahead_m.zip(sides.longest_bone_of_limb_m(body)) else { continue };
         if ahead_m < TOES_AHEAD_OF_ANKLE * bone_m {

@@ -7,7 +7,8 @@ use foldhash::{HashMap, HashMapExt};
 use osim_model::feet::{DefaultPose, Movements, held_roots, placement_at_default_pose};
 use osim_model::messages::{shown, three_significant};
 use osim_model::{
-    DVec3, Example, Finding, Force, Model, ModelJoint, Repair, Rule, Side, Sphere, SphereId, without_side,
+    DVec3, Example, Finding, Force, Model, ModelJoint, Repair, Rule, Side, Sphere, SphereId, has_word,
+    without_side,
 };
 
 use crate::body_bones::is_named_after_foot;
@@ -309,7 +310,7 @@ pub(super) fn foot_spheres_on_ground(model: &Model) -> Vec<&Sphere> {
     let moving = spheres(false).filter(|sphere| !sphere.fixed).map(|sphere| series_of(&sphere.name));
     let moving: BTreeSet<String> = moving.collect();
     let is_of_foot = |sphere: &&Sphere| {
-        let has = |words: &[&str]| words.iter().any(|word| sphere.name.to_lowercase().contains(word));
+        let has = |words: &[&str]| words.iter().any(|word| has_word(&sphere.name, word));
         let is_named_so = has(&FOOT_WORDS) || moving.is_empty() || moving.contains(&series_of(&sphere.name));
         is_named_so && !has(&SCENERY_WORDS)
     };

@@ -3,7 +3,7 @@
 use foldhash::HashMap;
 use osim_model::feet::MOST_LEAN_RAD;
 use osim_model::messages::{readable, shown, three_significant};
-use osim_model::{Example, Finding, Repair, Rule};
+use osim_model::{Example, Finding, Repair, Rule, has_word};
 use osim_requests::Request;
 
 use crate::body_bones::is_named_after_foot;
@@ -136,10 +136,11 @@ impl<'i> UnevenLimb<'i> {
         let is_on_foot = |bottom: &&Bottom| bottom.body.as_deref().is_some_and(is_named_after_foot);
         let of_feet: Vec<&Bottom> = all.iter().copied().filter(is_on_foot).collect();
         let is_of_sole = |bottom: &&Bottom| {
-            let series = series_of(&bottom.sphere);
-            let is_named_so = is_named_after_foot(&series) || series.contains("heel");
-            is_named_so
-                || of_feet.iter().any(|one| one.path == bottom.path || series_of(&one.sphere) == series)
+            let series = || series_of(&bottom.sphere);
+            of_feet.iter().any(|one| one.path == bottom.path)
+                || is_named_after_foot(&series())
+                || has_word(&series(), "heel")
+                || of_feet.iter().any(|one| series_of(&one.sphere) == series())
         };
         let bottoms: Vec<&Bottom> =
             if of_feet.is_empty() { all } else { all.into_iter().filter(is_of_sole).collect() };

@@ -74,7 +74,7 @@ pub use mass::{
     positive_mass,
 };
 pub use names_and_sides::{
-    Pattern, PatternError, Side, nearest_names, refuse_name, refuse_name_in_paths, without_side,
+    Pattern, PatternError, Side, has_word, nearest_names, refuse_name, refuse_name_in_paths, without_side,
 };
 pub use note::{
     BodySize, ChangedContacts, ChangedSinceNote, Credits, Note, NotedNames, NotedParts, Scope, Source, Step,

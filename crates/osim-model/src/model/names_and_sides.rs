@@ -187,20 +187,22 @@ impl Side {
 
     /// Reads the side from a name such as `calcn_r`, `RFoot`, `left_toe` or `footL`; `None` if the name has no side or both.
     pub fn of_name(name: &str) -> Option<Self> {
-        let lower = in_lower_case(name);
-        let is_alone = |(at, letter): (usize, &str)| {
-            let [before, behind] = [lower.get(..at), lower.get(at + letter.len()..)];
+        let is_alone = |at: usize| {
+            let [before, behind] = [name.get(..at), name.get(at + 1..)];
             !before.is_some_and(|text| text.ends_with(char::is_alphanumeric))
                 && !behind.is_some_and(|text| text.starts_with(char::is_alphanumeric))
         };
-        let word =
-            |long: &str, short: char| contains_word(&lower, long) || lower.match_indices(short).any(is_alone);
+        let word = |long: &str, short: u8| {
+            let mut letters = name.bytes().enumerate();
+            has_word(name, long)
+                || letters.any(|(at, letter)| letter.eq_ignore_ascii_case(&short) && is_alone(at))
+        };
         let camel = |letter: char| {
             let (first, last) = (first_three_letters(name), last_two_letters(name));
             let leading = first.is_some_and(|[a, b, c]| a == letter && b.is_uppercase() && c.is_lowercase());
             leading || last.is_some_and(|[a, b]| b == letter && a.is_lowercase())
         };
-        match (word("right", 'r') || camel('R'), word("left", 'l') || camel('L')) {
+        match (word("right", b'r') || camel('R'), word("left", b'l') || camel('L')) {
             (true, false) => Some(Self::Right),
             (false, true) => Some(Self::Left),
             _ => None,
@@ -225,10 +227,9 @@ fn in_lower_case(name: &str) -> Cow<'_, str> {
     if name.bytes().all(stays) { Cow::Borrowed(name) } else { Cow::Owned(name.to_lowercase()) }
 }
 
-/// Whether `word` is in `text`. Faster than `contains` for short texts.
-fn contains_word(text: &str, word: &str) -> bool {
-    let (text, word) = (text.as_bytes(), word.as_bytes());
-    text.windows(word.len()).any(|part| part.first() == word.first() && part == word)
+/// Whether a name has the letters `word` in it, in upper or lower case.
+pub fn has_word(name: &str, word: &str) -> bool {
+    name.as_bytes().windows(word.len().max(1)).any(|part| part.eq_ignore_ascii_case(word.as_bytes()))
 }
 
 /// The name with all marks of left and right replaced by the same mark.
@@ -242,7 +243,7 @@ fn contains_word(text: &str, word: &str) -> bool {
 pub fn without_side(name: &str) -> String {
     let mut lower = in_lower_case(name);
     for side in ["right", "left"] {
-        if contains_word(&lower, side) {
+        if has_word(&lower, side) {
             lower = Cow::Owned(lower.replace(side, "#"));
         }
     }

@@ -4,7 +4,7 @@ use foldhash::{HashMap, HashMapExt, HashSet, HashSetExt};
 use indexmap::IndexMap;
 
 use crate::feet::default_pose::DefaultPose;
-use crate::model::{Anatomy, ForceId, Model, Side, SphereId, least_and_most};
+use crate::model::{Anatomy, ForceId, Model, Side, SphereId, has_word, least_and_most};
 
 /// A body belongs to a foot if its origin is at most this part of the model's height above the lowest origin.
 const NEAR_GROUND_SHARE: f64 = 0.12;
@@ -130,7 +130,7 @@ fn feet_near_ground(anatomy: &Anatomy, height_m: &dyn Fn(&str) -> Option<f64>) -
     let mut feet: Vec<&str> =
         heights.iter().filter(|(_, height)| near(*height)).map(|(name, _)| *name).filter(sided).collect();
     if heights.len() < names.len() {
-        let called = |name: &&str| FOOT_NAMES.iter().any(|known| name.to_lowercase().contains(known));
+        let called = |name: &&str| FOOT_NAMES.iter().any(|known| has_word(name, known));
         feet = names.iter().copied().filter(sided).filter(called).collect();
     }
     let foot = |bodies: Vec<&str>| FootBodies {
