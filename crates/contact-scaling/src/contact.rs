@@ -270,8 +270,9 @@ pub fn preset_names() -> impl Iterator<Item = &'static str> {
     PRESETS.iter().map(|(name, _)| *name)
 }
 
+type MakePreset = fn() -> Preset;
 /// The names of all presets, each with the function that makes it.
-const PRESETS: [(&str, fn() -> Preset); 3] =
+const PRESETS: [(&str, MakePreset); 3] =
     [("falisse2022", falisse2022), ("moco-3d-walking", moco_3d_walking), ("osim-rl", osim_rl)];
 
 #[cfg(test)]

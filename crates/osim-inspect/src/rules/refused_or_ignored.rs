@@ -14,12 +14,8 @@ use osim_model::rule;
 
 /// Finds objects, names and forms of documents that OpenSim refuses or ignores.
 pub(super) fn find_unread(model: &Model) -> Vec<Finding> {
-    let rules = [
-        find_body_without_joint,
-        find_version_against_form,
-        find_misplaced_objects,
-        find_unknown_classes,
-    ];
+    let rules =
+        [find_body_without_joint, find_version_against_form, find_misplaced_objects, find_unknown_classes];
     let of_file = |file| [find_ignored_contacts(model, file), find_unknown_properties(model, file)];
     let of_model = rules.iter().map(|find| find(model));
     of_model.chain(files_of_model(model).flat_map(of_file)).flatten().collect()

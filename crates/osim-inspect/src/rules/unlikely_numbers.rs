@@ -4,8 +4,8 @@ use crate::rules::spheres::other_cases_in_words;
 use osim_model::messages::{readable, shown, three_significant};
 use osim_model::rule;
 use osim_model::{
-    Body, Example, Finding, Force, JointCoordinate, Model, Orientation, ParameterSet, Property, Repair, SetId,
-    Severity, Value, ValueOrigin,
+    Body, Example, Finding, Force, JointCoordinate, Model, Orientation, ParameterSet, Property, Repair,
+    SetId, Severity, Value, ValueOrigin,
 };
 
 /// The largest inertia, kg m², that a body without mass may have. Programs write tiny inertias for frames that weigh nothing.

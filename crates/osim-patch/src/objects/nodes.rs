@@ -62,8 +62,8 @@ pub(super) fn floor(document: &Document, name: &str, up: [f64; 3]) -> Result<New
 }
 
 /// The element of a force of `kind` between one sphere and one half-space, which are given by their component paths, with the given
-/// values; `origin` says in words where each comes from. The `<defaults>` of `document` must not change the force: for a property that is in the defaults and not in `values`,
-/// OpenSim's own default is written. The list of a `HuntCrossleyForce` calls the surfaces by `names`.
+/// values; `origin` says in words where each comes from. The `<defaults>` of `document` must not change the force: for a property that is
+/// in the defaults and not in `values`, OpenSim's own default is written. The list of a `HuntCrossleyForce` calls the surfaces by `names`.
 ///
 /// # Errors
 /// A value that is not finite, or outside the domain in which the contact laws hold.
@@ -72,7 +72,7 @@ pub(super) fn force(
     kind: ForceKind,
     name: &str,
     [sphere, plane]: [&str; 2],
-    (values, origin): (&[(Property, f64)], &dyn Fn(Property) -> String),
+    (values, origin): (&[(Property, f64)], impl Fn(Property) -> String),
     applies: bool,
     names: &NamesInList,
 ) -> Result<NewElement> {

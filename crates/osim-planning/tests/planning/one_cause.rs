@@ -16,7 +16,9 @@ fn severe_codes(found: &CheckResult) -> Vec<FindingCode> {
 
 #[test]
 fn each_fault_is_said_once() {
-    use FindingCode::{LeftRightBones, OddNumber, OddRadius, OutOfDomain, SphereOfOtherSide, SpheresMisplaced};
+    use FindingCode::{
+        LeftRightBones, OddNumber, OddRadius, OutOfDomain, SphereOfOtherSide, SpheresMisplaced,
+    };
     let edited = |start: &str, old: &str, new: &str| with_text_replaced(HUMAN, start, old, new);
     let sphere = "ContactSphere name=\"s1_r\"";
     for (text, code, place) in [

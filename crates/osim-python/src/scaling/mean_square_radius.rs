@@ -1,6 +1,6 @@
 //! The Python function of a list of radii: the mean R² of spheres with one modulus, which replaces their radii in equation (3).
 
-use contact_scaling::equations::symbols::{R_I, R_SQUARE};
+use contact_scaling::equations::symbols::R_SQUARE;
 use contact_scaling::mixed_radii;
 
 use crate::scaling::function::{Argument, EquationError, Parameter, Returns, docstring, forms, parameter};

@@ -193,7 +193,8 @@ impl Orientation {
                 _ => &[],
             }
         };
-        let of_component = move |id| tags(id).iter().map(move |&tag| Self::read(components, id, tag, [0.0; 3]));
+        let of_component =
+            move |id| tags(id).iter().map(move |&tag| Self::read(components, id, tag, [0.0; 3]));
         components.tree.iter().flat_map(move |(id, _)| of_component(id))
     }
 

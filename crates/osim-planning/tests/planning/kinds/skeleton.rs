@@ -102,7 +102,7 @@ pub fn one_legged(m: &Published) -> Edited {
         let mut spheres = force.spheres().iter().filter_map(|&id| m.model.sphere(id));
         spheres.any(|sphere| is_left(&sphere.name))
     });
-    let forces: Vec<ElementId> = of_left.map(osim_model::Force::element).collect();
+    let forces: Vec<ElementId> = of_left.map(|force| force.element).collect();
     // OpenSim refuses markers and muscles on a body that is gone.
     let hangs_on_left = |id: ElementId| {
         tree.children(id).any(|child| {

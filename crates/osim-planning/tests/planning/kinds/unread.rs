@@ -202,7 +202,7 @@ fn without_bodies(m: &Published, of: impl Fn(&str) -> bool) -> Edited {
 
 /// The elements of all contact forces.
 fn forces(m: &Published) -> Vec<ElementId> {
-    m.model.forces().iter().map(osim_model::Force::element).collect()
+    m.model.forces().iter().map(|force| force.element).collect()
 }
 
 fn texts_of_elements(m: &Published, elements: &[ElementId]) -> String {
