@@ -363,8 +363,7 @@ rule! { pub(super) ONE_SIDE_ONLY: OneSideOnly, Remark, Sides;
     why: "A model that kicks, hops on one leg or has a prosthesis may need no more; one that walks falls to the other side. Spheres that no force presses do nothing in OpenSim.",
     advice: "Nothing, if this is intended; else give the other side contacts, too",
     repair: Repair::NotPossible("nothing is wrong"),
-    example: Example::Piece { model: "format/v40000.osim", good: "<geometry>floor heel_l toe_l</geometry>",
-        bad: "<geometry>floor</geometry>" },
+    example: Example::Models { good: "format/v40000.osim", bad: "check/one_side_only.osim" },
 }
 
 /// One finding for all spheres, if only one side has spheres.

@@ -118,7 +118,8 @@ fn run_command(
         counts.add_failure(name, "finding stays", &format!("{said}: {left:?}"));
         held = false;
     }
-    let (old, new) = (codes(&was), codes(&is));
+    // What followed from a fault that is gone now may have been left out before.
+    let (old, new) = (&codes(&was) | &before.left_out, codes(&is));
     if let Some(new) = new.difference(&old).next() {
         counts.add_failure(name, "new warning", &format!("{said}: {new}"));
         held = false;

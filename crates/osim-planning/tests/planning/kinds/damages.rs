@@ -164,11 +164,9 @@ pub const DAMAGES: &[DamageKind] = &[
         let first = m.model.spheres().first()?.name.clone();
         m.places(|name| name == first, |[_, y, z]| [1e6, y, z])
     }),
-    (
-        "spheres on offset frames turned by 90 (degrees typed)",
-        "odd-place uneven-bottoms spheres-misplaced left-right-places",
-        |m| with_offset_frames(m, "<translation>0 0 0</translation><orientation>0 0 90</orientation>"),
-    ),
+    ("spheres on offset frames turned by 90 (degrees typed)", "angle-in-degrees", |m| {
+        with_offset_frames(m, "<translation>0 0 0</translation><orientation>0 0 90</orientation>")
+    }),
     ("sphere frames moved in mm", "odd-place", |m| {
         with_offset_frames(m, "<translation>0 -10 0</translation><orientation>0 0 0</orientation>")
     }),
