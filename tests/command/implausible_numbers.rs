@@ -35,6 +35,9 @@ fn a_stiffness_like_a_factor_or_in_mpa_causes_a_question() {
     for call in ["set human.osim stiffness=2", "sweep human.osim --grid stiffness=2,3e6 -d out"] {
         dir.run(call).failed().wrote_nothing().says(&[question, "--yes wrong-afterwards"]);
     }
+    // A design takes no factor.
+    let designed = dir.run("design human.osim --radius 0.03 --stiffness 2").failed().wrote_nothing();
+    designed.says(&["and is 1000000 now: write 2000000 if it is in MPa"]);
     for call in ["stiffness=x2", "stiffness=1001", "stiffness=2 --yes wrong-afterwards"] {
         dir.run(&format!("set human.osim {call} --dry-run")).succeeded();
     }

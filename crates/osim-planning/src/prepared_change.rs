@@ -175,7 +175,7 @@ impl PreparedChange {
     /// Asks a question about radii and stiffnesses that look like a typing mistake or another unit, and adds a remark if a mass is perhaps
     /// in pounds.
     fn ask_about_numbers(&self, model: &Model, mut plan: Plan) -> Result<Plan, Fault> {
-        self.answers.require_yes(question_about_stiffness(&plan)).map_err(Fault::new)?;
+        self.answers.require_yes(question_about_stiffness(&plan, self.verb)).map_err(Fault::new)?;
         let masses = self.masses();
         let in_pounds = masses.masses_perhaps_in_pounds(model);
         let question = first_unexplained(in_pounds, &masses, model, &self.options.selection);
@@ -227,17 +227,18 @@ impl PreparedChange {
 /// A stiffness below this, N/m², is hardly that of a contact.
 const LEAST_STIFFNESS: f64 = 1e3;
 
-/// The question about a stiffness that was given, if it is at most a thousandth of the present one: a factor or MPa were probably meant.
-fn question_about_stiffness(plan: &Plan) -> Option<Suspicion> {
+/// The question about a stiffness that was given, if it is at most a thousandth of the present one: MPa were probably meant, or a factor,
+/// which `design` does not take.
+fn question_about_stiffness(plan: &Plan, verb: Verb) -> Option<Suspicion> {
     let odd = plan.changes.iter().find(|change| {
         let is_given = change.by == ChangedBy::Given && change.factor.is_none();
         let is_small = change.to < LEAST_STIFFNESS && change.to * 1e3 <= change.from;
         change.property == Property::Stiffness && is_given && is_small
     })?;
     let (to, from, from_mpa) = (readable(odd.to), readable(odd.from), readable(odd.to * 1e6));
-    let text = format!(
-        "a stiffness would be {to} N/m2, and is {from} now: write x{to} to multiply it, or {from_mpa} if it is in MPa"
-    );
+    let times = if verb == Verb::Design { String::new() } else { format!("x{to} to multiply it, or ") };
+    let text =
+        format!("a stiffness would be {to} N/m2, and is {from} now: write {times}{from_mpa} if it is in MPa");
     Some(Suspicion::Other { question: YesQuestion::WrongAfterwards, text: text.into() })
 }
 
