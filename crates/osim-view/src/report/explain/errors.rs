@@ -133,8 +133,8 @@ const QUESTION_ERRORS: &[ErrorCode] = codes! {
         "give the coordinates that the message names default values at which the foot lies flat, or the places in a table, `contacts=TABLE`; if this is intended, confirm it with `yes=tilted-foot`";
     "unequal-feet": "left and right foot are not posed as mirror images at the default pose (by more than 1 degree): spheres under their bones would differ from side to side",
         "give the coordinates of both legs the same default values, or the places in a table, `contacts=TABLE`; if this is intended, confirm it with `yes=unequal-feet`";
-    "wrong-afterwards": "the model that would be written has an error that it does not have now: `check` would find it there",
-        "do what the message says of the error; if this is intended, confirm it with `yes=wrong-afterwards`";
+    "wrong-afterwards": "the model that would be written has an error that it does not have now, or a stiffness was given that is below 1 kN/m2 and at most a thousandth of the present one: it may be a factor, or in MPa",
+        "do what the message says; if this is intended, confirm it with `yes=wrong-afterwards`";
     "many-models": "a sweep would make more than 10,000 models", "give fewer values, or `yes=many-models`";
     "poor-fit": "the fitted model has more than half of the error of a model that never touches, or a larger error than the model as it is",
         "correct the motion instead (`motion MODEL correct=FILE`); if this is intended, confirm it with `yes=poor-fit`";
