@@ -122,7 +122,8 @@ fn a_table_that_is_not_a_manifest_is_refused_with_a_correction() {
         ("model,model\nhuman.osim,5\n", "appears twice"),
         ("model,target-mass,dry-run\nhuman.osim,5,yes\n", "after the table's name"),
         ("model,target-mass\nhuman.osim\n", "line 2: 1 cell, expected 2"),
-        ("Study 3\nmodel,target-mass\nhuman.osim,5\n", "has to name the columns: remove the lines above it"),
+        ("Study 3\nmodel,target-mass\nhuman.osim,5\n", "has to name all columns: remove it if it is a title"),
+        ("model\nhuman.osim,5\n", "line 2: 2 cells, expected 1 as in the first row: the first row has to"),
         ("model,target-mass\n", "no rows"),
         ("m\0o\0", "UTF-16"),
     ] {

@@ -226,7 +226,7 @@ fn probable_cause(unequal: &[(u64, usize, bool)], header: &[String], delimiter: 
         );
     }
     let more = match delimiter {
-        _ if header.len() == 1 => "the first row has to name the columns: remove the lines above it",
+        _ if header.len() == 1 => "the first row has to name all columns: remove it if it is a title",
         b',' => "a number with a decimal comma needs a point instead, or columns that are separated by ;",
         _ => "a cell that contains the column separator needs quotation marks",
     };

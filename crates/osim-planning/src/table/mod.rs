@@ -247,7 +247,7 @@ impl RowRequest {
             return Err(RowFault::of(&columns.model, "empty, expected the model's file name"));
         }
         if cells.model.as_os_str() == "-" {
-            let message = "standard input is not a model of a manifest: name a file";
+            let message = "standard input cannot be a model of a table: name a file";
             return Err(RowFault::of(&columns.model, message));
         }
         Ok(cells)
