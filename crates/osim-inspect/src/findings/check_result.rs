@@ -45,7 +45,7 @@ pub struct CheckResult {
     #[serde(skip)]
     #[cfg_attr(feature = "schemas", schemars(skip))]
     pub left_out: BTreeSet<FindingCode>,
-    /// How many errors and warnings are gone after all [`steps`](Self::steps).
+    /// The number of errors and warnings, minus that after all [`steps`](Self::steps).
     #[serde(skip)]
     #[cfg_attr(feature = "schemas", schemars(skip))]
     pub corrected: usize,
