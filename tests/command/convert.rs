@@ -156,12 +156,13 @@ fn convert_asks_if_the_body_would_float() {
     let dir = TestDir::with(&[HUNT_CROSSLEY_MODEL]);
     let call = "convert hunt.osim --to smooth --constant-contact-force 1e-2";
     let question = "the model would be wrong afterwards [floats]: body weight is carried ";
-    let advice = "until the spheres touch the floor, with --constant-contact-force and --hertz-smoothing;";
+    let advice = "until the spheres touch the floor, with --constant-contact-force and --hertz-smoothing, or confirm this";
     dir.run(call).failed().wrote_nothing().says(&[question, advice, "--yes wrong-afterwards"]);
     let floats = dir.run(&format!("{call} -o floats.osim --yes wrong-afterwards")).succeeded();
     let floats = floats.says(&["error: in the new model: ", "[floats]", "[force-before-contact]"]);
     // `check` reports the same about the result.
-    let check = dir.run("check floats.osim").says(&["[floats; ", "force-before-contact"]);
+    let check =
+        dir.run("check floats.osim").says(&["[floats; ", "force-before-contact", "design floats.osim "]);
     let above = |text: String| text.split("carried ").nth(1).unwrap().split(" R").next().unwrap().to_owned();
     assert_eq!(above(floats.out()), above(check.out()));
     // With Falisse's smoothing there is no warning.

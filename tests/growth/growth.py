@@ -78,7 +78,7 @@ VERBS = {
     "remove": (["remove", MODEL, "-o", OUT], ["forces", "spheres", "shared"]),
     "remove some": (["remove", MODEL, "--exclude", "f*0", "-o", OUT], ["forces"]),
     "convert": (["convert", MODEL, "--to", "hunt-crossley", "-o", OUT], ["forces", "spheres", "same name", "defaults"]),
-    "convert smooth": (["convert", MODEL, "--to", "smooth", "-o", OUT], ["named", "one force", "apart", "many sets", "radii"]),
+    "convert smooth": (["convert", MODEL, "--to", "smooth", "--yes", "wrong-afterwards", "-o", OUT], ["named", "one force", "apart", "many sets", "radii"]),
     "sockets": (["convert", MODEL, "--sockets", "-o", OUT], ["bare sockets"]),
     "sweep": (["sweep", MODEL, "--grid", "stiffness=x1,x2", "-d", OUT, "--jobs", "1"], ["forces"]),
     "ladder": (["sweep", MODEL, "--ladder", "2", *DESIGN_OPTIONS, "-d", OUT, "--jobs", "1"], ["forces"]),

@@ -231,7 +231,10 @@ fn question_about(wrong: &Finding, has_parted: bool) -> Suspicion {
             Input::Level, Input::Radius.with_value("keep")
         ],
         FindingCode::Floats => {
-            let options = phrase![", with ", Input::ConstantContactForce, " and ", Input::HertzSmoothing];
+            let options = phrase![
+                ", with {} and {}, or confirm this and do what {} then proposes";
+                Input::ConstantContactForce, Input::HertzSmoothing, Verb::Check.call()
+            ];
             phrase![&wrong.advice, Input::ConstantContactForce.either(options, "")]
         }
         _ => wrong.advice.clone(),
