@@ -113,7 +113,7 @@ fn fix_without_a_command_or_with_a_wrong_call_writes_nothing() {
     dir.run_with_stdin("check - --fix -o new.osim", &dir.read("broken.osim"))
         .failed()
         .wrote_nothing()
-        .says(&["nothing written: a model on standard input is read only once"]);
+        .says(&["nothing written: standard input is read only once: name a file"]);
     dir.run("check good.osim -o new.osim").usage_error().says(&["-o needs --fix"]);
     let several = dir.run("check good.osim broken.osim --fix -o new.osim").usage_error().wrote_nothing();
     several.says(&["-o names one file", "name a folder with -d DIR"]);

@@ -43,7 +43,7 @@ impl ModelToFix<'_> {
         let Some(first) = self.checked.steps.first() else {
             let why = match self.checked.counts.error + self.checked.counts.warning {
                 0 => "there is nothing to correct",
-                _ if self.checked.model == "-" => "a model on standard input is read only once",
+                _ if self.checked.model == "-" => "standard input is read only once: name a file",
                 _ => "no command corrects this",
             };
             return Ok((self.checked, format!("{NOTHING_WRITTEN}: {why}")));

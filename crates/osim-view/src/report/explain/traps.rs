@@ -128,5 +128,5 @@ pub(super) const ALL: &[Trap] = traps! {
         "it is the force of all spheres together, and above 0 before the ground is reached where it is smoothed";
     "force_bw" [] "the body weight is that of the falling body, not of the body that its contacts are made for";
     "dimensionless_time" []
-        "it is over sqrt(R/g), so curves of similar contacts coincide in it and not in seconds";
+        "it is the time divided by sqrt(R/g), so curves of similar contacts coincide in it and not in seconds";
 };
