@@ -53,7 +53,9 @@ fn with_advice(path: &Path, error: FileError) -> FileError {
         _ if path.exists() => return error,
         _ if typed.contains("://") => "there is no such file, but an address: download it first".to_owned(),
         // The shells of Windows leave it to the program.
-        _ if typed.contains('*') => "names with * are not searched for: name the folder or a file".to_owned(),
+        _ if typed.contains('*') => {
+            "there is no such file, and * stands for no other name: name the folder or a file".to_owned()
+        }
         Some(near) => format!("there is no such file: did you mean {}?", near.display()),
         None => return error,
     };
