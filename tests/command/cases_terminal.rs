@@ -74,7 +74,7 @@ fn files_that_are_not_models_are_named_by_what_they_are() {
     // The shells of Windows hand them over as they are.
     dir.run("check *.osim")
         .failed()
-        .says(&["there is no such file, and * stands for no other name: name the folder or a file"]);
+        .says(&["there is no such file, and * is not expanded: name the folder or a file"]);
     dir.run("check https://example.org/m.osim").failed().says(&["but an address: download it first"]);
     for name in ["walk.mot", "plates.sto"] {
         dir.run(&format!("check {name}"))

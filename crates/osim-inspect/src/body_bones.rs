@@ -136,7 +136,7 @@ impl BodyBones {
         self.bodies.keys().any(|body| self.is_foot(body))
     }
 
-    /// The joint to the next bone of the foot that is farthest from the origin of `body`. Shoes do not count.
+    /// The joint to the next bone of the foot that is farthest from the origin of `body`. A shoe is not a bone.
     pub(crate) fn farthest_joint(&self, body: &str) -> Option<&AnatomyJoint> {
         let next = self.anatomy.joints_below(body).filter(|joint| self.is_foot(&joint.child));
         next.max_by(|a, b| a.in_parent_m.length_squared().total_cmp(&b.in_parent_m.length_squared()))

@@ -222,7 +222,7 @@ impl Inspector {
         let density = similarity.as_ref().and_then(rules::find_mass_against_length);
         let forms = similarity.as_ref().and_then(|sizes| self.forms_of_dissipation(model, inspected, sizes));
         let mut beside: Vec<Finding> = [mesh, density, forms].into_iter().flatten().collect();
-        // Beside the results of steps, which have other names, is no compiled file.
+        // The results of steps have other names, so no compiled file is beside them.
         let of_steps = beside.clone();
         beside.extend(compiled.cloned());
         let result = check_with_trials(&self.options, model, inspected, &beside);

@@ -313,7 +313,7 @@ rule! { pub(super) OUT_OF_DOMAIN: OutOfDomain, Error, Sizes;
 const FARTHEST_CENTRE_M: f64 = 10.0;
 /// No body of an animal weighs more than this, kg: the mass is in grams.
 const LARGEST_MASS_KG: f64 = 1e5;
-/// Moments of inertia below this, kg m², are more than an error of rounding.
+/// Moments of inertia below this, kg m², are not a rounding error.
 const LEAST_INERTIA: f64 = -1e-9;
 
 /// Finds bodies with a mass, a moment of inertia or a centre of mass that no body can have. OpenSim 4.6 simulates with them.

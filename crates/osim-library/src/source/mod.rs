@@ -54,7 +54,7 @@ fn with_advice(path: &Path, error: FileError) -> FileError {
         _ if typed.contains("://") => "there is no such file, but an address: download it first".to_owned(),
         // The shells of Windows leave it to the program.
         _ if typed.contains('*') => {
-            "there is no such file, and * stands for no other name: name the folder or a file".to_owned()
+            "there is no such file, and * is not expanded: name the folder or a file".to_owned()
         }
         Some(near) => format!("there is no such file: did you mean {}?", near.display()),
         None => return error,
