@@ -123,9 +123,12 @@ impl<'m> LimbsFromFeet<'m> {
     /// counterpart or from the rest of its limb; `None` without a counterpart.
     fn is_odd(&self, body: &str, movements: &Movements) -> Option<bool> {
         let counterpart = self.counterpart(body)?;
+        // A foot can be the root of the whole model.
+        let is_root = movements.top(counterpart) == body;
         let Some(joint) = self.above.get(body) else {
             let carries = |joint: &ModelJoint| joint.parent.as_deref() == Some(body);
-            return Some(self.model.joints().iter().any(carries) && self.parent(counterpart).is_some());
+            let has_parent = self.parent(counterpart).is_some();
+            return Some(!is_root && has_parent && self.model.joints().iter().any(carries));
         };
         if self.parent(body).is_none() && self.parent(counterpart).is_none() {
             // Other things of two sides, such as pedals, have no contacts.
@@ -148,8 +151,7 @@ impl<'m> LimbsFromFeet<'m> {
                 self.path(parent).count() > self.path(of_counterpart).count() && carries_foot()
             }
             Some(parent) => Side::of_name(parent) == Side::of_name(counterpart),
-            // A foot can be the root of the whole model.
-            None => movements.top(counterpart) != body,
+            None => !is_root,
         })
     }
 

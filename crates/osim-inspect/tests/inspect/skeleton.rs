@@ -95,6 +95,12 @@ fn a_leg_on_another_part_of_the_trunk_than_the_other_leg_is_odd() {
     let exchanged = HUMAN.replacen(ends[0], ">/bodyset/toes_r<", 1);
     let exchanged = exchanged.replacen(ends[1], ">calcn_r_offset</socket_child_frame", 1);
     assert_eq!(odd_parents(&exchanged), [Some("/jointset/mtp_r".to_owned())]);
+    // A foot is the root of the whole model: OpenSim joins it to ground by a FreeJoint.
+    let (before, after) = HUMAN.split_once("<FreeJoint").unwrap();
+    let (joints, leg) = after.split_once("</FreeJoint>").unwrap().1.split_once("\"leg_l\">").unwrap();
+    let leg = leg.replacen(">pelvis_offset<", ">/bodyset/calcn_l<", 1);
+    let leg = leg.replacen(">/bodyset/calcn_l</socket_child_frame", ">pelvis_offset</socket_child_frame", 1);
+    assert!(odd_parents(&format!("{before}{joints}\"leg_l\">{leg}")).is_empty());
 }
 
 #[test]
