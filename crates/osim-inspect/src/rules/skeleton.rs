@@ -169,11 +169,22 @@ impl<'m> LimbsFromFeet<'m> {
         Some(format!("; {} is {apart_mm} mm from the mirror image of {}", shown(foot), shown(other)))
     }
 
+    /// The bodies of the left side that have a counterpart, and it, of limbs with feet or spheres. Others, such as arms, may be unlike.
+    fn pairs_that_carry_feet(&self) -> Vec<[&'m str; 2]> {
+        let spheres = self.model.spheres().iter();
+        let with_spheres: BTreeSet<&str> = spheres.filter_map(|sphere| sphere.body.as_deref()).collect();
+        let is_foot = |body: &&str| is_named_after_foot(body) || with_spheres.contains(body);
+        let feet = self.by_name.values().copied().filter(is_foot);
+        let carriers: BTreeSet<&str> = feet.flat_map(|foot| self.path(foot)).collect();
+        let left = self.by_name.iter().filter(|((_, side), _)| *side == Side::Left);
+        let pairs = left.filter_map(|(_, &body)| Some([body, self.counterpart(body)?]));
+        pairs.filter(|pair| pair.iter().any(|bone| carriers.contains(bone))).collect()
+    }
+
     /// The finding that two limbs are joined to one place beside the middle of a body: the joint of one was copied from the other side.
     fn find_copied_joint(&self) -> Option<Finding> {
         let is_beside = |place_m: DVec3| place_m.to_array().into_iter().all(|at| at.abs() > BESIDE_MIDDLE_M);
-        let (body, other, parent) = self.by_name.values().find_map(|&body| {
-            let other = self.counterpart(body).filter(|_| Side::of_name(body) == Some(Side::Left))?;
+        let (body, other, parent) = self.pairs_that_carry_feet().into_iter().find_map(|[body, other]| {
             let parent = self.parent(body).filter(|parent| self.parent(other) == Some(*parent))?;
             let own_m = self.above.get(body)?.in_parent_m();
             let is_copied = own_m == self.above.get(other)?.in_parent_m() && is_beside(own_m);
@@ -187,15 +198,7 @@ impl<'m> LimbsFromFeet<'m> {
     /// The finding about the two limbs that differ most.
     fn find_unlike_bones(&self) -> Option<Finding> {
         let distances = self.model.joint_distances();
-        let spheres = self.model.spheres().iter();
-        let with_spheres: BTreeSet<&str> = spheres.filter_map(|sphere| sphere.body.as_deref()).collect();
-        let is_foot = |body: &&str| is_named_after_foot(body) || with_spheres.contains(body);
-        let feet = self.by_name.values().copied().filter(is_foot);
-        // Arms on which nothing stands may be unlike.
-        let carriers: BTreeSet<&str> = feet.flat_map(|foot| self.path(foot)).collect();
-        let differences = self.by_name.iter().filter_map(|((_, side), &body)| {
-            let other = self.counterpart(body).filter(|_| *side == Side::Left)?;
-            [body, other].iter().find(|bone| carriers.contains(*bone))?;
+        let differences = self.pairs_that_carry_feet().into_iter().filter_map(|[body, other]| {
             let longest_m = [body, other].into_iter().filter_map(|body| distances.longest_in_limb(body));
             let (bone_m, apart_m) = (longest_m.reduce(f64::max)?, self.difference_m(body, other)?);
             (apart_m > UNLIKE_PART_OF_BONE * bone_m).then_some((apart_m, bone_m, body, other))

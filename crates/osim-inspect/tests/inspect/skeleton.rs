@@ -165,9 +165,14 @@ fn arms_on_which_nothing_stands_may_be_unlike() {
              </PhysicalOffsetFrame></frames></PinJoint>"
         )
     };
-    for (upper, lower, is_found) in [("humerus", "hand", false), ("shank", "foot", true)] {
+    for (upper, lower, right_at, is_found) in [
+        ("humerus", "hand", "0 0.5 0.2", false),
+        ("humerus", "hand", "0.7 0.1 -0.1", false),
+        ("shank", "foot", "0 0.5 0.2", true),
+        ("shank", "foot", "0.7 0.1 -0.1", true),
+    ] {
         let (mut bodies, mut joints) = (String::new(), String::new());
-        for (side, place) in [("r", "0 0.5 0.2"), ("l", "0.7 0.1 0")] {
+        for (side, place) in [("r", right_at), ("l", "0.7 0.1 -0.1")] {
             let [above, below] = [upper, lower].map(|part| format!("{part}_{side}"));
             for name in [&above, &below] {
                 bodies += &format!("<Body name=\"{name}\"><mass>1</mass></Body>");
