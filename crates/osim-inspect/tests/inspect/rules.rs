@@ -76,6 +76,13 @@ fn a_body_that_cannot_be_is_outside_the_domain() {
         let found = found.find(|finding| finding.code() == FindingCode::OutOfDomain).unwrap();
         assert_eq!(found.message.to_string(), expected);
     }
+    // A platform is no part of an animal.
+    let platform = "<Body name=\"stand\"><mass>352125</mass></Body><Body name=\"pelvis\">";
+    let weld = "<WeldJoint name=\"under\"><socket_parent_frame>/ground</socket_parent_frame><socket_child_frame>\
+                /bodyset/stand</socket_child_frame></WeldJoint><FreeJoint name=\"ground_pelvis\">";
+    let text = human.replacen("<Body name=\"pelvis\">", platform, 1);
+    let model = Model::parse(text.replacen("<FreeJoint name=\"ground_pelvis\">", weld, 1)).unwrap();
+    assert!(model_findings(&model).iter().all(|finding| finding.code() != FindingCode::OutOfDomain));
 }
 
 #[test]
