@@ -12,7 +12,7 @@ use FindingCode::*;
 
 /// Codes of causes, and the codes of what follows from them anywhere in the model, in the order in which they are left out. If something
 /// else causes it, too, that is found once the first cause is gone.
-const EFFECTS: [(&[FindingCode], &[FindingCode]); 14] = [
+const EFFECTS: [(&[FindingCode], &[FindingCode]); 15] = [
     (&[AngleInDegrees], &[LeftRightBones, LeftRightPlaces, OddPlace, SpheresMisplaced, UnevenBottoms]),
     (&[MisplacedObject], &[ConnecteeByName]),
     (&[NotFinite], &[NoGravity]),
@@ -24,7 +24,8 @@ const EFFECTS: [(&[FindingCode], &[FindingCode]); 14] = [
     (&[ContactsOfAnotherMass], &[SunkIn]),
     (&[SphereInTwoForces, DoubledSpheres], &[Floats, ForceBeforeContact]),
     (&[SphereOfOtherSide], &[SphereInTwoForces, LeftRightMissing, OneSideOnly]),
-    (&[LeftRightOff, LeftRightSwapped], &[SpheresMisplaced]),
+    (&[LeftRightOff], &[SpheresMisplaced]),
+    (&[LeftRightSwapped], &[SpheresMisplaced]),
     (&[OddRadius], &[UnevenBottoms]),
     (&[OddPlace, SpheresMisplaced], &[UnevenBottoms]),
 ];
@@ -114,12 +115,28 @@ fn without_effects_anywhere(model: &Model, mut findings: Vec<FindingWithRemedy>)
         let named = model.forces().iter().flat_map(Force::spheres).filter_map(|&id| model.sphere(id));
         named.filter(|sphere| sphere.path == *path).count() > 2
     };
+    let turns_floor = |path: &String| {
+        let planes = model.half_spaces().into_iter().chain(model.half_spaces_inside());
+        planes.flat_map(|plane| plane.orientations).any(|one| one.path == *path)
+    };
     for (causes, effects) in EFFECTS {
-        if with_codes(&findings, causes).is_empty() {
+        let found = with_codes(&findings, causes);
+        let is_elsewhere = match causes {
+            // The angles of a floor say nothing about bones and spheres.
+            [AngleInDegrees] => found.iter().flat_map(|one| one.paths()).all(turns_floor),
+            [NotFinite] => model.gravity().is_some(),
+            _ => false,
+        };
+        if found.is_empty() || is_elsewhere {
             continue;
         }
         leave_out(&mut findings, causes, |one| {
-            let is_of_its_own = one.code() == SphereInTwoForces && one.paths().any(is_in_three);
+            let is_of_its_own = match one.code() {
+                SphereInTwoForces => one.paths().any(is_in_three),
+                // Places in the model before scaling do not depend on what is switched off.
+                SpheresMisplaced => causes == [LeftRightOff] && !one.details.is_empty(),
+                _ => false,
+            };
             effects.contains(&one.code()) && !is_of_its_own
         });
     }

@@ -127,6 +127,21 @@ fn what_follows_elsewhere_in_the_model_is_left_out() {
     }
 }
 
+#[test]
+fn what_follows_from_nothing_else_is_not_left_out() {
+    use FindingCode::{AngleInDegrees, NoGravity, NotFinite, OddPlace};
+    let sphere = "ContactSphere name=\"s1_r\"";
+    let far = with_text_replaced(HUMAN, sphere, " -0.01 ", " -10 ");
+    let unknown = with_text_replaced(HUMAN, sphere, ">0.032<", ">NaN<");
+    for (text, codes) in [
+        (far.replace(">0 0 -1.5707963267948966<", ">0 0 -90<"), [AngleInDegrees, OddPlace]),
+        (unknown.replace(">0 -9.81 0<", ">0 0 0<"), [NoGravity, NotFinite]),
+    ] {
+        let found = check_text(&text);
+        assert!(codes.into_iter().all(|code| has(&found, code)), "{:?}", found.findings);
+    }
+}
+
 /// A change is not blamed for what was hidden before it, but for all else: an odd radius can make contacts too stiff, and does not here.
 #[test]
 fn codes_that_were_left_out_are_those_of_this_model() {

@@ -203,6 +203,10 @@ fn a_sphere_that_somebody_moved_is_a_warning_without_a_command() {
     let found = check_text(&moved, Some(GENERIC_MODEL));
     assert!(found.findings.iter().any(|one| one.code() == FindingCode::SpheresMisplaced));
     assert!(found.findings.iter().all(|one| one.remedy.is_none()), "a transfer would ask");
+    // A contact that is off on the other foot is another fault.
+    let name = "\"contact_heel_l\">";
+    let off = moved.replacen(name, &format!("{name}<appliesForce>false</appliesForce>"), 1);
+    assert!(codes_found(&check_text(&off, Some(GENERIC_MODEL))).contains(&FindingCode::SpheresMisplaced));
 }
 
 #[test]
