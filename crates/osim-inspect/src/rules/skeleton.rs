@@ -191,7 +191,7 @@ impl<'m> LimbsFromFeet<'m> {
             is_copied.then_some((body, other, parent))
         })?;
         let (left, right) = (shown(body), shown(other));
-        let text = format!("{left} and {right} are joined to one place of {}", shown(parent));
+        let text = format!("{left} and {right} are joined to the same place of {}", shown(parent));
         self.finding(&LEFT_RIGHT_BONES, body, text)
     }
 

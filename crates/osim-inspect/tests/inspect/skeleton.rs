@@ -53,7 +53,7 @@ fn legs_that_are_joined_to_one_place_beside_the_middle_are_found() {
         let text = HUMAN.replace(left, &format!("<translation>{left_at}<"));
         let found = findings_of_text(&text.replace(right, &format!("<translation>{right_at}<")));
         let found = found.into_iter().find(|one| one.code() == FindingCode::LeftRightBones);
-        let expected = is_copied.then_some("calcn_l and calcn_r are joined to one place of pelvis");
+        let expected = is_copied.then_some("calcn_l and calcn_r are joined to the same place of pelvis");
         assert_eq!(found.map(|found| found.message.to_string()).as_deref(), expected);
     }
 }
