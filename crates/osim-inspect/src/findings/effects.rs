@@ -151,8 +151,8 @@ fn without_effects_on_elements(
     let sides = LazyCell::new(|| BothSides::of(model));
     // Places that were compared with those of another model have a sentence for each sphere.
     let is_compared = |place: &FindingWithRemedy| !place.details.is_empty();
-    let is_effect = |one: &FindingWithRemedy| {
-        let mut causes = with_codes(&findings, causes_on_elements(one.code()));
+    let is_effect = |findings: &[FindingWithRemedy], one: &FindingWithRemedy| {
+        let mut causes = with_codes(findings, causes_on_elements(one.code()));
         causes.retain(|cause| match one.code() {
             OddPlace => is_compared(cause),
             SpheresMisplaced => !is_compared(one),
@@ -186,10 +186,15 @@ fn without_effects_on_elements(
             if one.spheres.is_empty() { one.paths().collect() } else { one.spheres.iter().collect() };
         !own.is_empty() && own.into_iter().all(is_wrong)
     };
-    let effects: Vec<FindingWithRemedy> = findings.iter().filter(|one| is_effect(one)).cloned().collect();
-    for effect in effects {
-        let is_it = |one: &FindingWithRemedy| one.code() == effect.code() && one.message == effect.message;
-        leave_out(&mut findings, causes_on_elements(effect.code()), is_it);
+    // Differences of the sides come first, because nothing follows from one that is left out itself.
+    for are_sides in [true, false] {
+        let are_judged = findings.iter().filter(|one| (one.code() == LeftRightDiffer) == are_sides);
+        let effects: Vec<_> = are_judged.filter(|one| is_effect(&findings, one)).cloned().collect();
+        for effect in effects {
+            let is_it =
+                |one: &FindingWithRemedy| one.code() == effect.code() && one.message == effect.message;
+            leave_out(&mut findings, causes_on_elements(effect.code()), is_it);
+        }
     }
     findings
 }

@@ -129,13 +129,16 @@ fn what_follows_elsewhere_in_the_model_is_left_out() {
 
 #[test]
 fn what_follows_from_nothing_else_is_not_left_out() {
-    use FindingCode::{AngleInDegrees, NoGravity, NotFinite, OddPlace};
+    use FindingCode::{AngleInDegrees, DynamicAboveStatic, NoGravity, NotFinite, OddPlace, OddRadius};
     let sphere = "ContactSphere name=\"s1_r\"";
     let far = with_text_replaced(HUMAN, sphere, " -0.01 ", " -10 ");
     let unknown = with_text_replaced(HUMAN, sphere, ">0.032<", ">NaN<");
+    let force = "\"contact_s1_r\"";
+    let sticky = with_text_replaced(HUMAN, force, "dynamic_friction>0.8", "dynamic_friction>0.9");
     for (text, codes) in [
         (far.replace(">0 0 -1.5707963267948966<", ">0 0 -90<"), [AngleInDegrees, OddPlace]),
         (unknown.replace(">0 -9.81 0<", ">0 0 0<"), [NoGravity, NotFinite]),
+        (with_text_replaced(&sticky, sphere, ">0.032<", ">0.32<"), [DynamicAboveStatic, OddRadius]),
     ] {
         let found = check_text(&text);
         assert!(codes.into_iter().all(|code| has(&found, code)), "{:?}", found.findings);
