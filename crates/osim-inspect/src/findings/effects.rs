@@ -81,16 +81,15 @@ pub fn without_effects(
     (kept, left_out)
 }
 
-/// Takes warnings and errors that follow from those with the codes `causes` out of `findings`. A warning hides no error: it becomes one.
+/// Takes warnings and errors that follow from their causes out of `findings`. A warning hides no error: it becomes one.
 fn leave_out(
     findings: &mut Vec<FindingWithRemedy>,
-    causes: &[FindingCode],
+    is_cause: impl Fn(&FindingWithRemedy) -> bool,
     is_effect: impl Fn(&FindingWithRemedy) -> bool,
 ) {
     let effects = findings.extract_if(.., |one| one.severity > Severity::Remark && is_effect(one));
     let worst = effects.map(|one| one.severity).max();
-    let severe = findings.iter_mut().filter(|one| one.severity > Severity::Remark);
-    for cause in severe.filter(|one| causes.contains(&one.code())) {
+    for cause in findings.iter_mut().filter(|one| one.severity > Severity::Remark && is_cause(one)) {
         cause.finding.severity = cause.severity.max(worst.unwrap_or(cause.severity));
     }
 }
@@ -130,7 +129,8 @@ fn without_effects_anywhere(model: &Model, mut findings: Vec<FindingWithRemedy>)
         if found.is_empty() || is_elsewhere {
             continue;
         }
-        leave_out(&mut findings, causes, |one| {
+        let is_cause = |one: &FindingWithRemedy| causes.contains(&one.code());
+        leave_out(&mut findings, is_cause, |one| {
             let is_of_its_own = match one.code() {
                 SphereInTwoForces => one.paths().any(is_in_three),
                 // Places in the model before scaling do not depend on what is switched off.
@@ -193,7 +193,13 @@ fn without_effects_on_elements(
         for effect in effects {
             let is_it =
                 |one: &FindingWithRemedy| one.code() == effect.code() && one.message == effect.message;
-            leave_out(&mut findings, causes_on_elements(effect.code()), is_it);
+            let causes = causes_on_elements(effect.code());
+            let is_about =
+                |one: &FindingWithRemedy| one.spheres.iter().any(|name| effect.spheres.contains(name));
+            let is_known = with_codes(&findings, causes).into_iter().any(is_about);
+            let is_cause =
+                |one: &FindingWithRemedy| causes.contains(&one.code()) && (!is_known || is_about(one));
+            leave_out(&mut findings, is_cause, is_it);
         }
     }
     findings

@@ -58,6 +58,11 @@ fn a_warning_from_which_an_error_follows_is_an_error() {
         assert_eq!(severe_codes(&found), [code], "{:?}", found.findings);
         assert_eq!(find(&found, code).severity, Severity::Error);
     }
+    // A warning from which it does not follow stays one.
+    let far = with_text_replaced(HUMAN, sphere, " -0.01 ", " -10 ");
+    let text = with_text_replaced(&far, "\"contact_s4_l\"", "static_friction>0.8", "static_friction>0.9");
+    let found = check_text(&text);
+    assert_eq!(find(&found, LeftRightDiffer).severity, Severity::Warning, "{:?}", found.findings);
     // That the other spheres of this foot are higher is said beside it: the other foot may be as uneven.
     let found = check_text(&with_text_replaced(HUMAN, sphere, " -0.01 ", " -0.05 "));
     assert_eq!(severe_codes(&found), [LeftRightPlaces, UnevenBottoms], "{:?}", found.findings);
