@@ -316,8 +316,8 @@ const LARGEST_MASS_KG: f64 = 1e5;
 /// Moments of inertia below this, kg m², are not a rounding error.
 const LEAST_INERTIA: f64 = -1e-9;
 
-/// Finds bodies with a mass, a moment of inertia or a centre of mass that no body can have. OpenSim 4.6 simulates with them. A platform
-/// can have any.
+/// One finding for all bodies with a mass, a moment of inertia or a centre of mass that no body can have. OpenSim 4.6 simulates with them.
+/// A platform can have any.
 pub(super) fn find_impossible_bodies(model: &Model) -> Vec<Finding> {
     let finding = |body: &Body| {
         let (shape, path) = (model.body_shapes().get(&body.name)?, &body.path);
@@ -338,7 +338,8 @@ pub(super) fn find_impossible_bodies(model: &Model) -> Vec<Finding> {
         let position = model.file(body.file).position(body.mass.offset);
         Some(Finding::at(&OUT_OF_DOMAIN, position, text).with_place(path))
     };
-    model.bodies().iter().filter(|body| !body.excluded_from_mass).filter_map(finding).collect()
+    let counted = model.bodies().iter().filter(|body| !body.excluded_from_mass);
+    Finding::join_cases(&counted.filter_map(finding).collect::<Vec<_>>()).into_iter().collect()
 }
 
 /// Why a value is outside its domain, in words that follow the name of the value. A default stiffness is left to another rule.

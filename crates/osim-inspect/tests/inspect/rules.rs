@@ -76,6 +76,14 @@ fn a_body_that_cannot_be_is_outside_the_domain() {
         let found = found.find(|finding| finding.code() == FindingCode::OutOfDomain).unwrap();
         assert_eq!(found.message.to_string(), expected);
     }
+    // All centres in mm are one cause.
+    let centres = ["0 150 0", "0 20 0"].iter().fold(human.to_owned(), |text, centre| {
+        text.replacen("<mass_center>0 0 0<", &format!("<mass_center>{centre}<"), 1)
+    });
+    let model = Model::parse(centres).unwrap();
+    let odd: Vec<_> =
+        model_findings(&model).iter().filter(|one| one.code() == FindingCode::OutOfDomain).collect();
+    assert_eq!((odd.len(), odd[0].places.len()), (1, 2));
     // A platform is no part of an animal.
     let platform = "<Body name=\"stand\"><mass>352125</mass></Body><Body name=\"pelvis\">";
     let weld = "<WeldJoint name=\"under\"><socket_parent_frame>/ground</socket_parent_frame><socket_child_frame>\
