@@ -144,7 +144,7 @@ rule! { pub(super) ANGLE_IN_DEGREES: AngleInDegrees, Error, Floor;
     example: Example::ElementText { tag: "orientation", good: "0 0 -1.5707963267948966", bad: "0 0 -90" },
 }
 
-/// Finds half-spaces and frames that are turned by more than a whole turn, so their angles are probably in degrees.
+/// One finding for all half-spaces and frames that are turned by more than a whole turn, so their angles are probably in degrees.
 pub(super) fn find_angle_in_degrees(model: &Model) -> Vec<Finding> {
     let listed = |angles: [f64; 3]| angles.map(readable).join(" ");
     let finding = |one: Orientation| {
@@ -158,5 +158,6 @@ pub(super) fn find_angle_in_degrees(model: &Model) -> Vec<Finding> {
         );
         Some(Finding::at(&ANGLE_IN_DEGREES, one.position, text).with_place(&one.path))
     };
-    Orientation::all(model.components()).filter_map(finding).collect()
+    let all: Vec<Finding> = Orientation::all(model.components()).filter_map(finding).collect();
+    Finding::join_cases(&all).into_iter().collect()
 }

@@ -76,14 +76,18 @@ fn a_body_that_cannot_be_is_outside_the_domain() {
         let found = found.find(|finding| finding.code() == FindingCode::OutOfDomain).unwrap();
         assert_eq!(found.message.to_string(), expected);
     }
-    // All centres in mm are one cause.
-    let centres = ["0 150 0", "0 20 0"].iter().fold(human.to_owned(), |text, centre| {
-        text.replacen("<mass_center>0 0 0<", &format!("<mass_center>{centre}<"), 1)
-    });
-    let model = Model::parse(centres).unwrap();
-    let odd: Vec<_> =
-        model_findings(&model).iter().filter(|one| one.code() == FindingCode::OutOfDomain).collect();
-    assert_eq!((odd.len(), odd[0].places.len()), (1, 2));
+    // All that are in another unit are one cause, as angles are.
+    for (tag, numbers, code) in [
+        ("mass_center", ["0 150 0", "0 20 0"], FindingCode::OutOfDomain),
+        ("orientation", ["0 0 90", "0 0 45"], FindingCode::AngleInDegrees),
+    ] {
+        let text = numbers.iter().fold(human.to_owned(), |text, new| {
+            text.replacen(&format!("<{tag}>0 0 0<"), &format!("<{tag}>{new}<"), 1)
+        });
+        let model = Model::parse(text).unwrap();
+        let odd: Vec<_> = model_findings(&model).iter().filter(|one| one.code() == code).collect();
+        assert_eq!((odd.len(), odd[0].places.len()), (1, 2));
+    }
     // A platform is no part of an animal.
     let platform = "<Body name=\"stand\"><mass>352125</mass></Body><Body name=\"pelvis\">";
     let weld = "<WeldJoint name=\"under\"><socket_parent_frame>/ground</socket_parent_frame><socket_child_frame>\
