@@ -120,7 +120,7 @@ fn is_only_frame(tree: &Tree, element: ElementId) -> bool {
 }
 
 rule! { pub(super) MISPLACED_OBJECT: MisplacedObject, Error;
-    what: "A force, contact geometry, a joint or a body is in the set of another kind.",
+    what: "A force, contact geometry, a joint, a body or a set is in the set of another kind.",
     why: "OpenSim refuses a set with an object of another kind.",
     advice: "Move the object to its own set",
     repair: Repair::NotPossible("only numbers are changed, and the object has to move"),
