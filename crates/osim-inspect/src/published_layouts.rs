@@ -45,10 +45,11 @@ struct SphereCentre<'m> {
     at_m: [f64; 3],
 }
 
-/// The sphere centres of a model, with their digest, which is computed when a layout is compared by digest.
+/// The sphere centres of a model, with how far they are rounded and their digest, which are found when a layout is compared by them.
 #[derive(Default)]
 struct DigestedCentres<'m> {
     list: Vec<SphereCentre<'m>>,
+    rounding_m: OnceCell<f64>,
     digest: OnceCell<String>,
 }
 
@@ -182,7 +183,8 @@ impl PublishedLayout {
         match (&self.places, &self.digest) {
             (Some(places), _) if places.len() == list.len() => {
                 let rounding_m =
-                    rounding_of_places_m(list.iter().map(|centre| centre.at_m)).max(SAME_PLACE_M);
+                    || rounding_of_places_m(list.iter().map(|centre| centre.at_m)).max(SAME_PLACE_M);
+                let rounding_m = *centres.rounding_m.get_or_init(rounding_m);
                 places.iter().all(|place| list.iter().any(|centre| place.is_at(centre, rounding_m)))
             }
             (None, Some((count, digest))) if *count == list.len() => {
