@@ -1,5 +1,6 @@
 //! Rules about the texts of numbers and flags: how they are written, and the domains of numbers.
 
+use foldhash::{HashMap, HashMapExt};
 use osim_model::messages::three_significant;
 use osim_model::opensim_text::{self, plain_numbers};
 use osim_model::{
@@ -7,11 +8,11 @@ use osim_model::{
     Property, Repair, Rule, Value, rule,
 };
 
-use crate::rules::refused_or_ignored::{MeantNames, find_unknown_children, known_children};
+use crate::rules::refused_or_ignored::{find_unknown_name, known_children, probable_property_name};
 use crate::rules::unlikely_numbers::is_default_stiffness;
 use crate::rules::written_properties::TextForm::{self, Flag, List, Numbers, OldCount, OldFlag, OldNumbers};
 use crate::rules::written_properties::{
-    LAST_VERSION_WITH_ONE_COORDINATE, PARTS_OF_AXIS, known_parts, written_properties,
+    LAST_VERSION_WITH_ONE_COORDINATE, PARTS_OF_AXIS, WrittenProperties, known_parts, written_properties,
 };
 
 /// A function that describes the fault of a value, in words that follow the name of the value; `None` if the value has no fault.
@@ -45,8 +46,7 @@ pub(super) fn apply_value_rules(model: &Model) -> Vec<Finding> {
 /// Finds texts of numbers and flags that OpenSim reads as other values than are written, or that are not finite. OpenSim silently takes its
 /// default if it cannot read a text.
 pub(super) fn find_misread_texts(model: &Model) -> Vec<Finding> {
-    let (mut found, mut meant) = (Vec::new(), MeantNames::default());
-    let (mut known, mut children) = (Vec::new(), Vec::new());
+    let (mut found, mut kinds) = (Vec::new(), HashMap::<_, Vec<ChildKind<'_>>>::new());
     let components = model.components();
     for (id, component) in components.tree.iter() {
         let tag = components.tag(id);
@@ -76,28 +76,34 @@ pub(super) fn find_misread_texts(model: &Model) -> Vec<Finding> {
             if all.is_empty() && parts.is_empty() {
                 return true;
             }
-            if class == "Model" || known_children(document, element).is_none_or(<[_]>::is_empty) {
-                let numbers = all.iter().flat_map(|(tags, ..)| tags.iter());
-                known.clear();
-                known.extend(parts.iter().chain(numbers).copied());
-                known
-                    .extend((document.version() <= LAST_VERSION_WITH_ONE_COORDINATE).then_some("coordinate"));
-                found.extend(find_unknown_children(model, component.file, element, (&known, &mut meant)));
-            }
-            if all.is_empty() {
-                return true;
-            }
-            children.clear();
-            children.extend(tree.children(element).map(|child| (tree.name(child), child)));
-            let own = |tag: &str| children.iter().find(|(name, _)| *name == tag).map(|&(_, child)| child);
-            let properties =
-                all.iter().flat_map(|&(tags, form, of)| tags.iter().map(move |&tag| (tag, form, of)));
-            for (property, form, default) in properties {
-                let Some(of_text) = own(property).or_else(|| document.inherited_element(element, property))
-                else {
-                    continue;
-                };
-                if let Some((rule, text)) = misread_text(document, element, of_text, (form, default)) {
+            // Most objects of a class have the same children.
+            let kinds = kinds.entry((class, parts.is_empty())).or_default();
+            let kind_of = |name| {
+                let are_known_elsewhere =
+                    || known_children(document, element).is_some_and(|all| !all.is_empty());
+                let is_checked = class == "Model" || !are_known_elsewhere();
+                let old = document.version() <= LAST_VERSION_WITH_ONE_COORDINATE;
+                ChildKind::of(name, all, is_checked.then_some((parts, old)))
+            };
+            let inherited = all.iter().flat_map(|(tags, ..)| tags.iter()).filter_map(|tag| {
+                document.inherited_element(element, tag).filter(|_| tree.child(element, tag).is_none())
+            });
+            for (at, of_text) in tree.children(element).chain(inherited).enumerate() {
+                let property = tree.name(of_text);
+                match kinds.get_mut(at) {
+                    Some(kind) if kind.name == property => {}
+                    Some(kind) => *kind = kind_of(property),
+                    None => kinds.push(kind_of(property)),
+                }
+                let Some(kind) = kinds.get(at) else { continue };
+                let meant = kind.meant.filter(|_| tree.parent(of_text) == Some(element));
+                found.extend(
+                    meant.and_then(|meant| find_unknown_name(model, component.file, element, of_text, meant)),
+                );
+                let misread = kind.form.and_then(|form| misread_text(document, element, of_text, form));
+                // Of several elements OpenSim reads the first.
+                let is_read = |_: &_| tree.child(element, property).is_none_or(|first| first == of_text);
+                if let Some((rule, text)) = misread.filter(is_read) {
                     let whole = if tag == "Model" { String::new() } else { components.tree.path(id) };
                     let path = path_of_part(document, whole, component.element, element);
                     let of = if path.is_empty() { "the model" } else { &path };
@@ -110,6 +116,33 @@ pub(super) fn find_misread_texts(model: &Model) -> Vec<Finding> {
         });
     }
     found
+}
+
+/// What an element is, by its name and the class of the object that it is in.
+struct ChildKind<'t> {
+    name: &'t str,
+    /// How its text is read, and the default; `None` if it is not a property whose text is looked at.
+    form: Option<(TextForm, Option<&'static str>)>,
+    /// The name that was probably meant by its name.
+    meant: Option<&'static str>,
+}
+
+impl<'t> ChildKind<'t> {
+    /// The kind of an element `name` in an object with these properties. `parts` are the other elements that the object can have, and whether
+    /// `coordinate` is one of them; `None` if its names are not looked at.
+    fn of(
+        name: &'t str,
+        properties: &'static [WrittenProperties],
+        parts: Option<(&'static [&'static str], bool)>,
+    ) -> Self {
+        let written = properties.iter().find(|(tags, ..)| tags.contains(&name));
+        let meant = parts.and_then(|(parts, old)| {
+            let numbers = properties.iter().flat_map(|(tags, ..)| tags.iter());
+            let known = parts.iter().chain(numbers).copied().chain(old.then_some("coordinate"));
+            probable_property_name(name, &known.collect::<Vec<_>>())
+        });
+        Self { name, form: written.map(|&(_, form, default)| (form, default)), meant }
+    }
 }
 
 /// Whether poses, masses or contact forces depend on components of the class `tag`.

@@ -331,10 +331,10 @@ fn find_unknown_properties(model: &Model, file: FileId) -> Vec<Finding> {
 }
 
 /// The property that was probably meant by the name of an element in an object of a class. A model has many objects of few classes.
-pub(super) type MeantNames<'a> = HashMap<(&'a str, &'a str), Option<&'static str>>;
+type MeantNames<'a> = HashMap<(&'a str, &'a str), Option<&'static str>>;
 
 /// One finding for each element inside of `owner` whose name is nearly that of a property among `known` that is not there.
-pub(super) fn find_unknown_children<'a>(
+fn find_unknown_children<'a>(
     model: &'a Model,
     file: FileId,
     owner: ElementId,
@@ -344,13 +344,25 @@ pub(super) fn find_unknown_children<'a>(
     let finding = |child| {
         let (class, name) = (tree.name(owner), tree.name(child));
         let meant = (*meant.entry((class, name)).or_insert_with(|| probable_property_name(name, known)))?;
-        // A list can have other members with the right name.
-        let is_list = ["objects", "coordinates", "SpatialTransform"].contains(&class);
-        (is_list || tree.child(owner, meant).is_none())
-            .then(|| finding_about_unknown_name(model, file, owner, child, meant))
+        find_unknown_name(model, file, owner, child, meant)
     };
     let is_unknown = |child: &ElementId| !known.is_empty() && !known.contains(&tree.name(*child));
     tree.children(owner).filter(is_unknown).filter_map(finding).collect()
+}
+
+/// The finding about the element `child` of `owner`, by whose name `meant` is meant; `None` if `owner` has that, too.
+pub(super) fn find_unknown_name(
+    model: &Model,
+    file: FileId,
+    owner: ElementId,
+    child: ElementId,
+    meant: &str,
+) -> Option<Finding> {
+    let tree = model.file(file).tree();
+    // A list can have other members with the right name.
+    let is_list = ["objects", "coordinates", "SpatialTransform"].contains(&tree.name(owner));
+    (is_list || tree.child(owner, meant).is_none())
+        .then(|| finding_about_unknown_name(model, file, owner, child, meant))
 }
 
 /// The properties of contacts, and of the sets around them, directly inside of `id`; `None` if `id` is not one of these.
@@ -391,7 +403,7 @@ pub(super) fn known_children(document: &Document, id: ElementId) -> Option<&'sta
 }
 
 /// The name among `known` that was probably meant by `name`; `None` if OpenSim knows `name`, or no known name is near.
-fn probable_property_name(name: &str, known: &[&'static str]) -> Option<&'static str> {
+pub(super) fn probable_property_name(name: &str, known: &[&'static str]) -> Option<&'static str> {
     if known.contains(&name) {
         return None;
     }
