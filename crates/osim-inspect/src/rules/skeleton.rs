@@ -1,6 +1,7 @@
 //! Rules about the skeleton: bodies that hang on the wrong side, limbs that are not mirror images, spheres of feet on ground, and roots that
 //! cannot fall.
 
+use std::cell::LazyCell;
 use std::collections::{BTreeMap, BTreeSet};
 
 use foldhash::{HashMap, HashMapExt};
@@ -96,7 +97,7 @@ impl<'m> LimbsFromFeet<'m> {
 
     /// One finding for all bodies that hang on the other side or on ground.
     fn find_odd_parent(&self) -> Option<Finding> {
-        let movements = Movements::of(self.model);
+        let movements = LazyCell::new(|| Movements::of(self.model));
         let odd: Vec<&str> = self
             .by_name
             .values()
@@ -121,14 +122,18 @@ impl<'m> LimbsFromFeet<'m> {
 
     /// Whether `body` hangs on the other side, on a part of the trunk further from ground than its counterpart, or on ground apart from its
     /// counterpart or from the rest of its limb; `None` without a counterpart.
-    fn is_odd(&self, body: &str, movements: &Movements) -> Option<bool> {
+    fn is_odd(
+        &self,
+        body: &str,
+        movements: &LazyCell<Movements, impl FnOnce() -> Movements>,
+    ) -> Option<bool> {
         let counterpart = self.counterpart(body)?;
         // A foot can be the root of the whole model.
-        let is_root = movements.top(counterpart) == body;
+        let is_root = || movements.top(counterpart) == body;
         let Some(joint) = self.above.get(body) else {
             let carries = |joint: &ModelJoint| joint.parent.as_deref() == Some(body);
             let has_parent = self.parent(counterpart).is_some();
-            return Some(!is_root && has_parent && self.model.joints().iter().any(carries));
+            return Some(!is_root() && has_parent && self.model.joints().iter().any(carries));
         };
         if self.parent(body).is_none() && self.parent(counterpart).is_none() {
             // Other things of two sides, such as pedals, have no contacts.
@@ -151,7 +156,7 @@ impl<'m> LimbsFromFeet<'m> {
                 self.path(parent).count() > self.path(of_counterpart).count() && carries_foot()
             }
             Some(parent) => Side::of_name(parent) == Side::of_name(counterpart),
-            None => !is_root,
+            None => !is_root(),
         })
     }
 
