@@ -88,11 +88,11 @@ def walker(text):
     pairs = list(zip(table[::2], table[1::2]))
     yield "all {} direct searches", [sum(int(once["solved"]) for once, _ in pairs)]
     lone = [sum(ways[n]["success"] > ways[1 - n]["success"] for ways in pairs) for n in (0, 1)]
-    yield "{} and {} succeed (p = {})", [*(numbers(row[4])[0] for row in ladder), sign_test(*lone)]
+    yield "{} at once and {} in steps succeed (p = {})", [*(numbers(row[4])[0] for row in ladder), sign_test(*lone)]
     yield "a median of {} s against {}.", numbers(ladder[1][6], ladder[0][6])
     less = [(100 - 100 * float(rungs["effort"]) / float(once["effort"]), rungs) for once, rungs in pairs]
     cheaper = [(share, rungs["same"]) for share, rungs in less if share > 3.6]
-    yield "{} guesses gave {} to {} % less effort", [len(cheaper), *ends(share for share, _ in cheaper)]
+    yield "{} guesses the steps gave {} to {} % less effort", [len(cheaper), *ends(share for share, _ in cheaper)]
     dearer = [int(rungs["seed"]) for share, rungs in less if share < -0.01]
     yield "(seeds {} and {}) {} % more", [*dearer, -min(share for share, _ in less)]
     yield "With twice the mesh {} of the {} keep it", [sum(same for _, same in cheaper), len(cheaper)]
@@ -138,7 +138,7 @@ def falls(text):
     alike = {row[0] + row[1]: max(numbers(*row[3:])) for row in fallen if row[2] == "rescaled"}
     yield "Without friction, curves coincide to {}", [alike["smooth, without frictionfree"]]
     yield "with free joints: {}.", [alike.pop("smoothfree")]
-    yield "at most {}, with one exception", [max(alike.values())]
+    yield "at most {}, the error of the integrator, with one exception", [max(alike.values())]
     off = {law: max(float(row[5]) for row in slides if row[0] == law) for law in ("Hunt–Crossley", "smooth")}
     yield "slide alike**: within {}, with the smooth class {}", off.values()
     landed, pushed = ([numbers(row[6]) for row in slides if row[1].startswith(kind)] for kind in ("lands", "pushed"))
