@@ -1,12 +1,12 @@
 // Draws the model in three dimensions: bones, spheres before and after the change, the floor, and the forces.
 
 import {
-  AmbientLight, ArrowHelper, BufferAttribute, BufferGeometry, Color, DirectionalLight, DoubleSide, GridHelper, Group, LineBasicMaterial,
-  LineSegments, Matrix4, Mesh, MeshLambertMaterial, Object3D, PerspectiveCamera, Raycaster, Scene as World, SphereGeometry, Vector2, Vector3,
-  WebGLRenderer,
+  AmbientLight, ArrowHelper, BufferAttribute, BufferGeometry, DirectionalLight, GridHelper, Group, LineSegments, Matrix4, Mesh,
+  type MeshLambertMaterial, Object3D, PerspectiveCamera, Raycaster, Scene as World, SphereGeometry, Vector2, Vector3, WebGLRenderer,
 } from "three";
 
 import type { Bones, PlacedSphere, PlayedMotion, Scene, Vector } from "../engine/space";
+import { type Colours, materials, readColours } from "./colours";
 import { ForceArrows } from "./force_arrows";
 import { footWedge, limb, spheresOfFeet } from "./limbs";
 import { floorHeight, liftToRest } from "./rest";
@@ -21,14 +21,6 @@ export interface ShownModel {
   /** The model after the change; undefined without a change. */
   after: Scene | undefined;
   standing: boolean;
-}
-
-interface Colours {
-  accent: string;
-  bone: string;
-  old: string;
-  force: string;
-  floor: string;
 }
 
 const BALL = new SphereGeometry(1, 20, 14);
@@ -488,22 +480,4 @@ function rings(): BufferGeometry {
     }
   }
   return new BufferGeometry().setFromPoints(points);
-}
-
-function materials({ accent, bone, old }: Colours) {
-  return {
-    ball: new MeshLambertMaterial({ color: new Color(accent), transparent: true, opacity: 0.85 }),
-    bone: new MeshLambertMaterial({ color: new Color(bone), side: DoubleSide }),
-    // The spheres inside a foot are seen through it.
-    foot: new MeshLambertMaterial({ color: new Color(bone), side: DoubleSide, transparent: true, opacity: 0.4, depthWrite: false }),
-    // Old spheres are drawn over everything around them.
-    old: new LineBasicMaterial({ color: new Color(old), depthTest: false }),
-  };
-}
-
-/** The colours of the page around the canvas. */
-function readColours(element: Element): Colours {
-  const style = getComputedStyle(element);
-  const colour = (name: string) => style.getPropertyValue(name).trim();
-  return { accent: colour("--accent"), bone: colour("--bone"), old: colour("--text"), force: colour("--error"), floor: colour("--quiet") };
 }
