@@ -77,7 +77,7 @@ pub(super) fn find_misread_texts(model: &Model) -> Vec<Finding> {
                 return true;
             }
             // Most objects of a class have the same children.
-            let kinds = kinds.entry((class, parts.is_empty())).or_default();
+            let kinds = kinds.entry((document.version(), class, parts.is_empty())).or_default();
             let kind_of = |name| {
                 let are_known_elsewhere =
                     || known_children(document, element).is_some_and(|all| !all.is_empty());
