@@ -90,10 +90,13 @@ pub(super) fn find_misread_texts(model: &Model) -> Vec<Finding> {
             });
             for (at, of_text) in tree.children(element).chain(inherited).enumerate() {
                 let property = tree.name(of_text);
-                match kinds.get_mut(at) {
-                    Some(kind) if kind.name == property => {}
-                    Some(kind) => *kind = kind_of(property),
-                    None => kinds.push(kind_of(property)),
+                if kinds.get(at).is_none_or(|kind| kind.name != property) {
+                    let is_repeated = kinds.iter().take(at).any(|before| before.name == property);
+                    let kind = ChildKind { is_repeated, ..kind_of(property) };
+                    match kinds.get_mut(at) {
+                        Some(known) => *known = kind,
+                        None => kinds.push(kind),
+                    }
                 }
                 let Some(kind) = kinds.get(at) else { continue };
                 let meant = kind.meant.filter(|_| tree.parent(of_text) == Some(element));
@@ -102,8 +105,17 @@ pub(super) fn find_misread_texts(model: &Model) -> Vec<Finding> {
                 );
                 let misread = kind.form.and_then(|form| misread_text(document, element, of_text, form));
                 // Of several elements OpenSim reads the first.
-                let is_read = |_: &_| tree.child(element, property).is_none_or(|first| first == of_text);
-                if let Some((rule, text)) = misread.filter(is_read) {
+                let first = || tree.child(element, property).filter(|&first| first != of_text);
+                let unread = || {
+                    // A model can have several lines of thanks.
+                    let is_text = kind.form.is_some() || class != "Model";
+                    let is_one = |_: &ElementId| is_text && tree.children(of_text).next().is_none();
+                    let [read, own] = [first().filter(is_one)?, of_text].map(|id| tree.text_of(id));
+                    let differs = opensim_text::trimmed(&read) != opensim_text::trimmed(&own);
+                    differs.then(|| (&ODD_NUMBER, "is written twice, and OpenSim reads the first".to_owned()))
+                };
+                let fault = misread.filter(|_| first().is_none());
+                if let Some((rule, text)) = fault.or_else(|| kind.is_repeated.then(unread).flatten()) {
                     let whole = if tag == "Model" { String::new() } else { components.tree.path(id) };
                     let path = path_of_part(document, whole, component.element, element);
                     let of = if path.is_empty() { "the model" } else { &path };
@@ -125,6 +137,8 @@ struct ChildKind<'t> {
     form: Option<(TextForm, Option<&'static str>)>,
     /// The name that was probably meant by its name.
     meant: Option<&'static str>,
+    /// Whether the object has an element of this name before.
+    is_repeated: bool,
 }
 
 impl<'t> ChildKind<'t> {
@@ -141,7 +155,7 @@ impl<'t> ChildKind<'t> {
             let known = parts.iter().chain(numbers).copied().chain(old.then_some("coordinate"));
             probable_property_name(name, &known.collect::<Vec<_>>())
         });
-        Self { name, form: written.map(|&(_, form, default)| (form, default)), meant }
+        Self { name, form: written.map(|&(_, form, default)| (form, default)), meant, is_repeated: false }
     }
 }
 

@@ -172,6 +172,7 @@ pub(super) fn known_parts<'t>(tag: &str, parent: impl Fn() -> &'t str) -> &'stat
         "objects" if parent() == "CoordinateSet" => &["Coordinate"],
         "coordinates" if parent().ends_with("Joint") => &["Coordinate"],
         "Body" => &["mass", "Joint", "FrameGeometry", "frame_geometry"],
+        "HuntCrossleyForce::ContactParameters" => &["geometry"],
         "CoordinateCouplerConstraint" => {
             &["coupled_coordinates_function", "independent_coordinate_names", "dependent_coordinate_name"]
         }

@@ -226,6 +226,31 @@ fn an_odd_location_in_defaults_is_reported_for_each_sphere_without_a_location() 
 }
 
 #[test]
+fn a_number_that_is_written_twice_is_reported_if_the_two_differ() {
+    let found = |element: &str, second: &str| {
+        let mut text = fixture("v40000");
+        let end = text.find(element).unwrap() + element.len();
+        text.insert_str(end, second);
+        let twice = Model::parse(text).unwrap();
+        let odd = model_findings(&twice).iter().filter(|one| one.code().as_str() == "odd-number");
+        odd.map(|one| one.message.to_string()).collect::<Vec<_>>()
+    };
+    for (element, second, what) in [
+        ("<radius>0.0325</radius>", "<radius>0.065</radius>", "radius of /contactgeometryset/heel_r"),
+        ("<mass>50.25</mass>", "<mass>62</mass>", "mass of /bodyset/pelvis"),
+        ("<gravity>0 -9.81 0</gravity>", "<gravity>0 -1.62 0</gravity>", "gravity of the model"),
+        (
+            "<dissipation>2.25</dissipation>",
+            "<dissipation>2</dissipation>",
+            "dissipation of /forceset/contact_r/contact_parameters",
+        ),
+    ] {
+        assert_eq!(found(element, second), [format!("{what} is written twice, and OpenSim reads the first")]);
+        assert_eq!(found(element, element), [""; 0]);
+    }
+}
+
+#[test]
 fn a_transition_velocity_without_a_number_is_also_found_in_the_older_class() {
     let older = include_str!("../../../../fixtures/table1/human_62kg_hunt_crossley.osim");
     let tag = "<transition_velocity>";
