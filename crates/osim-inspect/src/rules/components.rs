@@ -7,8 +7,8 @@ use foldhash::{HashSet, HashSetExt};
 use osim_model::messages::{listed, shown};
 use osim_model::opensim_text::list_words;
 use osim_model::{
-    Class, Component, ComponentId, ElementId, Example, FileId, Finding, Irregularity, Model, NoteDoubt,
-    OTHER_CONTACT_CLASSES, Repair, refuse_name_in_paths,
+    Class, Component, ComponentId, ElementId, Example, FileId, Finding, Irregularity, Model, ModelJoint,
+    NoteDoubt, OTHER_CONTACT_CLASSES, Repair, refuse_name_in_paths,
 };
 use osim_requests::{ConvertRequest, Request};
 
@@ -147,7 +147,31 @@ pub(super) fn find_lost_coordinates(model: &Model) -> Vec<Finding> {
         };
         named.into_iter().filter_map(wrong).chain(missing).map(finding).collect::<Vec<_>>()
     });
-    lost.chain(find_lost_sockets_of_coordinates(model)).collect()
+    let of_axes = model.joints().iter().filter_map(|joint| find_lost_coordinate_of_axis(model, joint));
+    lost.chain(of_axes).chain(find_lost_sockets_of_coordinates(model)).collect()
+}
+
+/// Finds an axis that names a coordinate that its joint does not have. OpenSim adds such coordinates at the end of the joint's list, and
+/// refuses the joint if the order of the list is then not that of the axes.
+fn find_lost_coordinate_of_axis(model: &Model, joint: &ModelJoint) -> Option<Finding> {
+    let document = model.file(joint.file);
+    let tree = document.tree();
+    let transform = tree.child(joint.element, "SpatialTransform")?;
+    let lists = || tree.children(transform).filter_map(move |axis| tree.child(axis, "coordinates"));
+    let has = |name: &str| joint.coordinates.iter().any(|one| one.name == name);
+    let (list, name) = lists().find_map(|list| {
+        let text = tree.text_of(list);
+        let name = list_words(&text).find(|&name| !has(name))?.to_owned();
+        Some((list, name))
+    })?;
+    let names = |list: ElementId, name: &str| list_words(&tree.text_of(list)).any(|one| one == name);
+    let is_before = |name: &str| lists().take_while(|&id| id != list).any(|id| names(id, name));
+    if joint.coordinates.iter().all(|one| is_before(&one.name)) {
+        return None;
+    }
+    let (path, name) = (path_of_component(model, joint.file, list), shown(&name));
+    let text = format!("an axis of {path} has the coordinate '{name}', which is none of the joint's");
+    Some(Finding::at(&SOCKET_NOWHERE, document.position_of(list), text).with_place(&path))
 }
 
 /// One finding for all sockets of coordinates that lead to none.

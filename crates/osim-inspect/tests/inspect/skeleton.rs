@@ -186,3 +186,31 @@ fn arms_on_which_nothing_stands_may_be_unlike() {
         assert_eq!(found.iter().any(|one| one.code() == FindingCode::LeftRightBones), is_found, "{upper}");
     }
 }
+
+/// OpenSim 4.6 adds a coordinate that an axis names to the joint, and refuses the joint if the coordinates then are not in the order of the
+/// axes.
+#[test]
+fn an_axis_with_a_coordinate_that_its_joint_does_not_have_is_found() {
+    let model = include_str!("../../../../fixtures/format/v40000.osim");
+    let joint = |coordinates: &[&str], axes: &[&str]| {
+        let coordinate = |name: &&str| format!("<Coordinate name=\"{name}\"/>");
+        let axis = |name: &&str| format!("<TransformAxis><coordinates>{name}</coordinates></TransformAxis>");
+        let coordinates: String = coordinates.iter().map(coordinate).collect();
+        let axes: String = axes.iter().map(axis).collect();
+        let joint = format!(
+            "<CustomJoint name=\"hip_r\"><coordinates>{coordinates}</coordinates><SpatialTransform>{axes}</SpatialTransform>"
+        );
+        let text = model.replacen("<PinJoint name=\"hip_r\">", &joint, 1);
+        let found = findings_of_text(&text.replacen("</PinJoint>", "</CustomJoint>", 1));
+        let found = found.into_iter().find(|one| one.code() == FindingCode::SocketNowhere);
+        found.map(|found| found.message.to_string()).unwrap_or_default()
+    };
+    let said = "an axis of /jointset/hip_r has the coordinate 'b', which is none of the joint's";
+    assert_eq!(joint(&["a", "c"], &["a", "b"]), said);
+    assert_eq!(joint(&["c"], &["b", "c"]), said);
+    for (coordinates, axes) in [(&["a", "b"], &["a", "b"]), (&["b", "a"], &["a", "b"])] {
+        assert_eq!(joint(coordinates, axes), "");
+    }
+    assert_eq!(joint(&["a"], &["a", "", "a", "b"]), "");
+    assert_eq!(joint(&[], &["b"]), "");
+}
