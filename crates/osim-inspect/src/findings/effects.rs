@@ -12,9 +12,10 @@ use FindingCode::*;
 
 /// Codes of causes, and the codes of what follows from them anywhere in the model, in the order in which they are left out. If something
 /// else causes it, too, that is found once the first cause is gone.
-const EFFECTS: [(&[FindingCode], &[FindingCode]); 15] = [
+const EFFECTS: [(&[FindingCode], &[FindingCode]); 16] = [
     (&[AngleInDegrees], &[LeftRightBones, LeftRightPlaces, OddPlace, SpheresMisplaced, UnevenBottoms]),
     (&[MisplacedObject], &[ConnecteeByName]),
+    (&[MisnamedParameterSet, UnknownName], &[BareModel]),
     (&[NotFinite], &[NoGravity]),
     (&[LeftRightBones, OddParent], &[OddPlace, OddRadius, SpheresMisplaced, UnevenBottoms]),
     (&[NoSurfacesMeet, ShapePressesNothing], &[LeftRightMissing, OneSideOnly]),

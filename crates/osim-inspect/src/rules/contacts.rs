@@ -35,7 +35,7 @@ pub(crate) fn find_bare_model(options: &InspectOptions, model: &Model) -> Option
             // A path of a muscle can wrap around a sphere.
             let is_wrapped =
                 wrapped.iter().any(|path| trimmed(path).rsplit('/').next() == Some(one.name.as_str()));
-            one.body.is_some() && model.forces().is_empty() && !is_wrapped
+            one.body.is_some() && model.forces().iter().all(|force| force.sets.is_empty()) && !is_wrapped
         };
         let moving = model.spheres().iter().filter(is_left);
         let text = format!(
