@@ -1,7 +1,7 @@
 //! Rules about friction and dissipation of contacts.
 
 use osim_model::messages::readable;
-use osim_model::{Example, Finding, Model, Property, Repair, Severity};
+use osim_model::{Example, Finding, Model, Property, Repair, Severity, Value};
 
 use crate::rules::forces::finding_about_forces;
 use osim_model::rule;
@@ -39,7 +39,8 @@ fn find_large_friction(model: &Model) -> Option<Finding> {
         ];
         finding_about_forces(model, &LARGE_FRICTION, |force, set| {
             let (large, limit) = limits.iter().find_map(|(property, limit)| {
-                Some((set.value(*property).filter(|value| value.number > *limit)?, limit))
+                let is_large = |value: &&Value| value.number > *limit && value.number.is_finite();
+                Some((set.value(*property).filter(is_large)?, limit))
             })?;
             let number = format!("{} {}", readable(large.number), large.property.unit());
             let (property, path) = (large.property, &force.path);
@@ -63,8 +64,8 @@ fn find_dynamic_above_static(model: &Model) -> Option<Finding> {
     finding_about_forces(model, &DYNAMIC_ABOVE_STATIC, |force, set| {
         let [sliding, resting] = [Property::DynamicFriction, Property::StaticFriction]
             .map(|property| set.value(property).map_or(0.0, |value| value.number));
-        // A negative coefficient is outside its domain, which is another finding.
-        (resting >= 0.0 && sliding > resting).then(|| {
+        // One that is negative or not finite has another finding.
+        (resting >= 0.0 && sliding > resting && sliding.is_finite()).then(|| {
             let [sliding, resting] = [sliding, resting].map(readable);
             format!("dynamic_friction of {} is {sliding}, but its static_friction {resting}", force.path)
         })
@@ -90,7 +91,7 @@ fn find_odd_transition_velocity(model: &Model) -> Option<Finding> {
         finding_about_forces(model, &ODD_TRANSITION_VELOCITY, |force, set| {
             let speed = force.value(set.id, Property::TransitionVelocity)?.number;
             let text = || format!("transition_velocity of {} is {} m/s, {what}", force.path, readable(speed));
-            is_odd(speed).then(text)
+            (speed.is_finite() && is_odd(speed)).then(text)
         })
     };
     let coulomb =

@@ -266,7 +266,12 @@ fn a_transition_velocity_without_a_number_is_also_found_in_the_older_class() {
         let model = Model::parse(format!("{before}{tag}{text}{after}")).unwrap();
         let found: Vec<_> = model_findings(&model).iter().map(|finding| finding.code().as_str()).collect();
         assert!(found.contains(&code), "{text}: {found:?}");
+        assert!(code != "not-finite" || !found.contains(&"odd-transition-velocity"), "{text}: {found:?}");
     }
+    let text = older.replace("_friction>0.80000000000000004<", "_friction>inf<");
+    let codes = codes_of(&Model::parse(text).unwrap());
+    assert!(codes.contains(&"not-finite"), "{codes:?}");
+    assert!(!codes.iter().any(|code| ["large-friction", "dynamic-above-static"].contains(code)), "{codes:?}");
 }
 
 /// The codes and messages about odd texts in the fixture `v40000`, with `new` for the first text `old`.
