@@ -26,7 +26,7 @@ const EFFECTS: [(&[FindingCode], &[FindingCode]); 16] = [
     (&[SphereInTwoForces, DoubledSpheres], &[Floats, ForceBeforeContact]),
     (&[SphereOfOtherSide], &[SphereInTwoForces, LeftRightMissing, OneSideOnly]),
     (&[LeftRightOff], &[SpheresMisplaced]),
-    (&[LeftRightSwapped], &[SpheresMisplaced]),
+    (&[LeftRightSwapped], &[SpheresMisplaced, SpheresNotCompared]),
     (&[OddRadius], &[UnevenBottoms]),
     (&[OddPlace, SpheresMisplaced], &[UnevenBottoms]),
 ];
