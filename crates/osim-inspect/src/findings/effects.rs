@@ -15,7 +15,7 @@ use FindingCode::*;
 const EFFECTS: [(&[FindingCode], &[FindingCode]); 16] = [
     (&[AngleInDegrees], &[LeftRightBones, LeftRightPlaces, OddPlace, SpheresMisplaced, UnevenBottoms]),
     (&[MisplacedObject], &[ConnecteeByName]),
-    (&[MisnamedParameterSet, UnknownName], &[BareModel]),
+    (&[MisnamedParameterSet, UnknownName], &[BareModel, IgnoredContacts]),
     (&[NotFinite], &[NoGravity]),
     (&[LeftRightBones, OddParent], &[OddPlace, OddRadius, SpheresMisplaced, UnevenBottoms]),
     (&[NoSurfacesMeet, ShapePressesNothing], &[LeftRightMissing, OneSideOnly]),

@@ -108,7 +108,8 @@ fn a_mass_that_cannot_be_used_is_said_once() {
 
 #[test]
 fn what_follows_elsewhere_in_the_model_is_left_out() {
-    use FindingCode::{AngleInDegrees, ContactsOfAnotherMass, DoubledSpheres, NoSurfacesMeet, NotFinite};
+    use FindingCode::{AngleInDegrees, ContactsOfAnotherMass, DoubledSpheres};
+    use FindingCode::{NoSurfacesMeet, NotFinite, UnknownName};
     const LISTS: &str = include_str!("../../../../fixtures/motion/walker.osim");
     let mut places = HUMAN.split("<location>");
     let start = places.next().unwrap().to_owned();
@@ -126,6 +127,7 @@ fn what_follows_elsewhere_in_the_model_is_left_out() {
         (without_gravity, NotFinite),
         (of_a_child, ContactsOfAnotherMass),
         (empty, NoSurfacesMeet),
+        (HUMAN.replace("ForceSet", "Forceset"), UnknownName),
     ] {
         let found = check_text(&text);
         assert_eq!(severe_codes(&found), [code], "{:?}", found.findings);
