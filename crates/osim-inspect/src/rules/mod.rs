@@ -189,6 +189,11 @@ fn apply_side_rules(model: &Model) -> Vec<Finding> {
     findings.extend(SIDE_RULES.iter().filter_map(|(_, find)| find(&sides)));
     findings.extend(places::find_no_heel(&sides));
     findings.extend(places::find_toes_at_ankle(&sides));
+    // Of a sphere on the trunk whose counterpart is on a foot, that one says so.
+    let is_missing = |one: &Finding| one.code() == FindingCode::LeftRightMissing;
+    if !findings.iter().any(is_missing) {
+        findings.extend(places::find_foot_spheres_on_trunk(&sides));
+    }
     if !skeleton::foot_spheres_on_ground(model).is_empty() {
         // These have a finding of their own.
         findings

@@ -1,11 +1,11 @@
 //! Rules about the places of spheres, compared with the model before scaling if the caller gives it, else by this file alone.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use osim_model::compare::{PlacedSphere, SpherePlacements, is_stretched};
 use osim_model::messages::{Input, Verb, counted, listed, phrase, readable, shown, three_significant};
 use osim_model::{
-    Example, Finding, FindingCode, Model, Note, Repair, ScaledSinceNote, Severity, Sphere, has_word,
+    Example, Finding, FindingCode, Model, Note, Repair, ScaledSinceNote, Severity, Side, Sphere, has_word,
 };
 use osim_requests::options::{FollowOptions, MovedChoice, ScalingOptions};
 use osim_requests::{Kilograms, Request, RescaleRequest, TransferRequest};
@@ -16,7 +16,8 @@ use crate::inspection::Inspection;
 use crate::place_evidence::PlaceEvidence;
 use crate::published_layouts::LayoutMatch;
 use crate::reach::Reach;
-use crate::rules::spheres::finding_about_spheres;
+use crate::rules::skeleton::{FOOT_WORDS, series_of};
+use crate::rules::spheres::{finding_about_spheres, other_cases_in_words};
 use crate::sides::BothSides;
 use osim_model::rule;
 
@@ -335,6 +336,29 @@ pub(super) fn find_toes_at_ankle(sides: &BothSides<'_>) -> Option<Finding> {
         shown(first.body.as_deref().unwrap_or_default())
     );
     finding_about_spheres(&SPHERES_MISPLACED, text, near.iter().map(|(_, sphere)| *sphere))
+}
+
+/// The finding that spheres with a side and a name as those of feet are on the trunk, while others are on the feet.
+pub(super) fn find_foot_spheres_on_trunk(sides: &BothSides<'_>) -> Option<Finding> {
+    let bones = BodyBones::of(sides.model)?;
+    let is_on_trunk = |(sphere, body): &(&Sphere, &str)| {
+        let has_sides = [*body, &sphere.name].map(|name| Side::of_name(name).is_some());
+        let is_trunk = || has_word(body, "torso") || bones.has_foot_below(body);
+        has_sides == [false, true] && is_trunk() && !bones.is_foot(body)
+    };
+    let all = || sides.spheres().map(|(sphere, body, _)| (sphere, body));
+    let mut astray: Vec<_> = all().filter(is_on_trunk).collect();
+    if astray.is_empty() {
+        return None;
+    }
+    let on_feet = all().filter(|(_, body)| bones.is_foot(body));
+    let of_feet: BTreeSet<String> = on_feet.map(|(sphere, _)| series_of(&sphere.name)).collect();
+    let is_named_so = |name: &str| FOOT_WORDS.iter().any(|word| has_word(name, word));
+    astray.retain(|(sphere, _)| is_named_so(&sphere.name) || of_feet.contains(&series_of(&sphere.name)));
+    let (first, body) = astray.first().filter(|_| !of_feet.is_empty())?;
+    let more = other_cases_in_words(astray.len(), "another sphere, too", "other spheres, too");
+    let text = format!("{} belongs to a foot, and is on {}{more}", shown(&first.name), shown(body));
+    finding_about_spheres(&SPHERES_MISPLACED, text, astray.iter().map(|(sphere, _)| *sphere))
 }
 
 rule! { pub(super) SPHERES_NOT_COMPARED: SpheresNotCompared, Remark, Sizes;

@@ -293,7 +293,7 @@ rule! { pub(super) FOOT_SPHERE_ON_GROUND: FootSphereOnGround, Warning, Sides;
 }
 
 /// Words in the names of spheres of feet.
-const FOOT_WORDS: [&str; 6] = ["heel", "toe", "foot", "calc", "hallux", "metatars"];
+pub(super) const FOOT_WORDS: [&str; 6] = ["heel", "toe", "foot", "calc", "hallux", "metatars"];
 /// Words in the names of scenery and of marks on a floor.
 const SCENERY_WORDS: [&str; 11] =
     ["plate", "rest", "stool", "step", "form", "mark", "stone", "rock", "boulder", "obstacle", "terrain"];

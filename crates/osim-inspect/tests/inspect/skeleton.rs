@@ -1,7 +1,7 @@
 //! Spheres of feet on ground, scenery beside them, and the cause of bones that are not mirror images.
 
 use osim_inspect::model_findings;
-use osim_model::{Finding, FindingCode, Model};
+use osim_model::{Finding, FindingCode, Model, Severity};
 
 const HUMAN: &str = include_str!("../../../../fixtures/check/known_contacts.osim");
 
@@ -185,6 +185,25 @@ fn arms_on_which_nothing_stands_may_be_unlike() {
         let found = findings_of_text(&text);
         assert_eq!(found.iter().any(|one| one.code() == FindingCode::LeftRightBones), is_found, "{upper}");
     }
+}
+
+#[test]
+fn spheres_with_names_as_on_feet_are_found_on_the_pelvis() {
+    let names = ["s1_r", "s3_r", "s1_l", "s3_l"];
+    let found = |text: &str| {
+        let is_severe = |one: &Finding| one.severity > Severity::Remark;
+        let is_it = |one: &Finding| one.code() == FindingCode::SpheresMisplaced && is_severe(one);
+        findings_of_text(text).into_iter().find(is_it).map(|found| found.spheres).unwrap_or_default()
+    };
+    let on_pelvis = with_spheres_on("/bodyset/pelvis", &names);
+    assert_eq!(found(&on_pelvis), names);
+    // Spheres with other names are meant to be there.
+    let on_seat = names.iter().fold(on_pelvis, |text, name| {
+        let other = name.replace('s', "seat");
+        let text = text.replace(&format!("\"{name}\""), &format!("\"{other}\""));
+        text.replace(&format!("/{name}<"), &format!("/{other}<"))
+    });
+    assert!(found(&on_seat).is_empty());
 }
 
 /// OpenSim 4.6 adds a coordinate that an axis names to the joint, and refuses the joint if the coordinates then are not in the order of the
