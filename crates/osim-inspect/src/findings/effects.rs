@@ -34,7 +34,7 @@ const EFFECTS: [(&[FindingCode], &[FindingCode]); 16] = [
 /// What follows from a number of a force that OpenSim reads differently from what is written.
 const EFFECTS_OF_MISREAD_FORCE: [FindingCode; 3] = [DynamicAboveStatic, LargeFriction, LeftRightDiffer];
 
-/// What follows from a number of a sphere that OpenSim reads differently from what is written.
+/// What follows from a number of a sphere that is not finite, or that OpenSim reads differently from what is written.
 const EFFECTS_OF_MISREAD_SPHERE: [FindingCode; 9] = [
     CrowdedSpheres,
     DoubledSpheres,
@@ -102,7 +102,8 @@ fn without_effects_anywhere(model: &Model, mut findings: Vec<FindingWithRemedy>)
     };
     let (misread, unusable) = (paths(&[OddNumber]), paths(&[NotFinite, OddNumber, OutOfDomain]));
     let misreads_force = model.forces().iter().any(|force| misread.contains(&force.path));
-    let misreads_sphere = model.spheres().iter().any(|sphere| misread.contains(&sphere.path));
+    let no_number = paths(&[NotFinite, OddNumber]);
+    let misreads_sphere = model.spheres().iter().any(|sphere| no_number.contains(&sphere.path));
     let has_unusable_mass = model.bodies().iter().any(|body| unusable.contains(&body.path));
     findings.retain(|one| {
         let is_of_force = misreads_force && EFFECTS_OF_MISREAD_FORCE.contains(&one.code());

@@ -17,13 +17,15 @@ fn severe_codes(found: &CheckResult) -> Vec<FindingCode> {
 #[test]
 fn each_fault_is_said_once() {
     use FindingCode::{
-        LeftRightBones, OddNumber, OddRadius, OutOfDomain, SphereOfOtherSide, SpheresMisplaced,
+        LeftRightBones, NotFinite, OddNumber, OddRadius, OutOfDomain, SphereOfOtherSide, SpheresMisplaced,
     };
     let edited = |start: &str, old: &str, new: &str| with_text_replaced(HUMAN, start, old, new);
     let sphere = "ContactSphere name=\"s1_r\"";
     for (text, code, place) in [
         (edited(sphere, ">0.032<", ">0,32<"), OddNumber, "/contactgeometryset/s1_r"),
         (edited(sphere, "<location>", "<location>["), OddNumber, "/contactgeometryset/s1_r"),
+        (edited(sphere, ">0.032<", ">inf<"), NotFinite, "/contactgeometryset/s1_r"),
+        (edited(sphere, " -0.01 ", " inf "), NotFinite, "/contactgeometryset/s1_r"),
         (edited(sphere, "0.00190115 ", "1.90115 "), SpheresMisplaced, "/contactgeometryset/s1_r"),
         (edited(sphere, ">0.032<", ">0.32<"), OddRadius, "/contactgeometryset/s1_r"),
         (edited("\"contact_s1_r\"", ">1000000<", ">0<"), OutOfDomain, "/forceset/contact_s1_r"),
