@@ -186,11 +186,11 @@ pub(super) fn find_too_large_gravity(model: &Model) -> Option<Finding> {
 
 /// Gravity on planets and moons on which a body can stand, m/s²: from a small moon to more than any solid planet.
 const KNOWN_GRAVITY: std::ops::RangeInclusive<f64> = 0.1..=20.0;
-/// A gravity below this, m/s², is not the Earth's.
-const LEAST_GRAVITY_ON_EARTH: f64 = 9.0;
+/// The Earth's gravity, m/s², also as a round number.
+const GRAVITY_ON_EARTH: std::ops::RangeInclusive<f64> = 9.0..=10.5;
 
 rule! { pub(crate) ODD_GRAVITY: OddGravity, Warning, Floor;
-    what: "Gravity is not that of the Earth. It is a remark from 0.1 to 9 m/s2, as on the Moon.",
+    what: "Gravity is not that of the Earth. It is a remark from 0.1 to 20 m/s2, as on the Moon.",
     why: "32.17 is the Earth's gravity in feet, 98.1 and 0.00981 have a misplaced decimal point or another unit, and 1 is in multiples of the Earth's. Loads, indentations and speeds of impact follow gravity.",
     advice: "Write gravity in m/s², usually 0 -9.80665 0; nothing, if another gravity is intended",
     repair: Repair::NotPossible("only you know the gravity"),
@@ -203,7 +203,7 @@ pub(super) fn find_odd_gravity(model: &Model, floors: &Floors) -> Option<Finding
     let of_a_place = KNOWN_GRAVITY.contains(&size);
     let noted = model.note.as_ref().and_then(|note| note.gravity_m_s2);
     let is_noted = of_a_place && noted.is_some_and(|noted| are_equal_gravities(noted, size));
-    if is_noted || (LEAST_GRAVITY_ON_EARTH..=*KNOWN_GRAVITY.end()).contains(&size) {
+    if is_noted || GRAVITY_ON_EARTH.contains(&size) {
         return None;
     }
     let text = format!("gravity is {} m/s2, that of the Earth 9.81 m/s2", readable(size));

@@ -361,6 +361,15 @@ fn spheres_that_no_force_presses_with_are_a_warning() {
 }
 
 #[test]
+fn a_gravity_that_is_not_the_earths_is_a_remark() {
+    for (size, is_odd) in [(8.9, true), (9.0, false), (10.5, false), (10.6, true), (19.62, true)] {
+        let text = HUMAN.replace("<gravity>0 -9.8100000000000005 0<", &format!("<gravity>0 -{size} 0<"));
+        let found = check_text(&text);
+        assert_eq!(has(&found, FindingCode::OddGravity), is_odd, "{size}");
+    }
+}
+
+#[test]
 fn contacts_a_thousand_times_as_stiff_as_published_ones_are_a_remark() {
     for (x_hat, severity) in
         [(0.0005, Some(Severity::Warning)), (0.005, Some(Severity::Remark)), (0.02, None)]
