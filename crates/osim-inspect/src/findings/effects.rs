@@ -23,12 +23,12 @@ const EFFECTS: [(&[FindingCode], &[FindingCode]); 16] = [
     (&[ContactsOfAnotherMass, GravitySourcesDisagree, MassSourcesDisagree], &[Floats, ForceBeforeContact]),
     (&[MasslessBody], &[ContactsOfAnotherMass, Floats, ForceBeforeContact, TooStiff]),
     (&[ContactsOfAnotherMass], &[SunkIn]),
+    (&[HeavyFoot, MasslessBody], &[ContactsOfAnotherMass, MassSourcesDisagree]),
     (&[SphereInTwoForces, DoubledSpheres], &[Floats, ForceBeforeContact]),
     (&[SphereOfOtherSide], &[SphereInTwoForces, LeftRightMissing, OneSideOnly]),
     (&[LeftRightOff], &[SpheresMisplaced]),
     (&[LeftRightSwapped], &[SpheresMisplaced, SpheresNotCompared]),
-    (&[OddRadius], &[UnevenBottoms]),
-    (&[OddPlace, SpheresMisplaced], &[UnevenBottoms]),
+    (&[OddPlace, OddRadius, SpheresMisplaced], &[UnevenBottoms]),
 ];
 
 /// What follows from a number of a force that OpenSim reads differently from what is written.

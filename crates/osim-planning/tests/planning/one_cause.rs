@@ -44,8 +44,8 @@ fn each_fault_is_said_once() {
 #[test]
 fn a_warning_from_which_an_error_follows_is_an_error() {
     use FindingCode::{
-        ContactsOfAnotherMass, LeftRightDiffer, LeftRightPlaces, MasslessBody, OddPlace, OddRadius,
-        UnevenBottoms,
+        ContactsOfAnotherMass, HeavyFoot, LeftRightDiffer, LeftRightPlaces, MasslessBody, OddPlace,
+        OddRadius, UnevenBottoms,
     };
     let (sphere, pelvis) = ("ContactSphere name=\"s1_r\"", "Body name=\"pelvis\"");
     for (start, old, new, code) in [
@@ -54,6 +54,7 @@ fn a_warning_from_which_an_error_follows_is_an_error() {
         (sphere, ">0.032<", ">0.000032<", OddRadius),
         (pelvis, ">60<", ">0<", MasslessBody),
         (pelvis, ">60<", ">500<", ContactsOfAnotherMass),
+        ("Body name=\"calcn_r\"", ">0.75<", ">500<", HeavyFoot),
         ("\"contact_s1_r\"", ">1000000<", ">1<", LeftRightDiffer),
     ] {
         let found = check_text(&with_text_replaced(HUMAN, start, old, new));
