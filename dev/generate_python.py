@@ -319,7 +319,7 @@ EXAMPLES = {
     "rescale": [f">>> ocs.rescale({HUMAN}, target_mass=1190)", f"<Result of rescale: {HUMAN[1:-1]}: 72 numbers to change>"],
     "set": [f'>>> ocs.set({HUMAN}, stiffness="x2", dissipation=1)', f"<Result of set: {HUMAN[1:-1]}: 24 numbers to change>"],
     "sweep": [f'>>> len(ocs.sweep({HUMAN}, grid={{"stiffness": "x0.1..x10/3"}}, dry_run=True))', "3"],
-    "transfer": [f">>> ocs.transfer({SCALED}, from_={GENERIC}, follow_bodies=True)", f"<Result of transfer: {SCALED[1:-1]}: 42 numbers to change>"],
+    "transfer": [f">>> ocs.transfer({SCALED}, from_={GENERIC}, follow_bodies=True, level=True)", f"<Result of transfer: {SCALED[1:-1]}: 42 numbers to change>"],
 }
 
 

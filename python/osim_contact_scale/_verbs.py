@@ -1848,7 +1848,7 @@ def transfer(
 
     Examples
     --------
-    >>> ocs.transfer("fixtures/scale_tool/scaled_smooth.osim", from_="fixtures/scale_tool/generic_smooth.osim", follow_bodies=True)
+    >>> ocs.transfer("fixtures/scale_tool/scaled_smooth.osim", from_="fixtures/scale_tool/generic_smooth.osim", follow_bodies=True, level=True)
     <Result of transfer: fixtures/scale_tool/scaled_smooth.osim: 42 numbers to change>
     """
     keywords = {"from": from_, "presets": presets, "spheres": spheres, "stance_limbs": stance_limbs, "reference_mass": reference_mass, "reference_spheres": reference_spheres, "reference_gravity": reference_gravity, "reference_select": reference_select, "reference_sphere": reference_sphere, "follow_bodies": follow_bodies or None, "body_scale_file": body_scale_file, "body_scale": body_scale, "radius_axis": radius_axis, "moved_spheres": moved_spheres, "strict": strict or None, "rule": rule, "height_ratio": height_ratio, "contacts_mass": contacts_mass, "mass": mass, "exclude_body": exclude_body, "radius": radius, "level": level or None, "level_axis": level_axis, "only": only, "keep": keep, "dissipation_by": dissipation_by, "friction": friction or None, "contacts_gravity": contacts_gravity, "target_gravity": target_gravity, "select": select, "exclude": exclude, "skip_disabled": skip_disabled or None, "no_note": no_note or None, "yes": yes, "geometry": geometry, "model": model}

@@ -240,7 +240,7 @@ fn scaled_models_in_a_folder_are_asked_about() {
     let run = dir.run("models --target-mass 80 -d results").failed();
     let written = names.map(|name| dir.has(&format!("results/{name}.osim")));
     assert_eq!(written, [true, true, false, false], "{}", run.err());
-    assert!(run.err().contains("transfer MODEL --from GENERIC --follow-bodies"), "{}", run.err());
+    assert!(run.err().contains("transfer MODEL --from GENERIC --follow-bodies --level"), "{}", run.err());
 }
 
 #[test]

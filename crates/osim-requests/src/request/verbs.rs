@@ -236,7 +236,7 @@ verbs! {
     Transfer(TransferRequest) change = VerbEntry::new(VerbGroup::Change, &["models"],
         "Give a model the contacts of another model or of a preset, at its own size")
         .details("After OpenSim's Scale Tool: check SCALED `from=GENERIC` says where each sphere belongs, and transfer SCALED \
-                  `from=GENERIC` `follow_bodies` `output=OUT` puts it there and makes the contacts right for the new mass.")
+                  `from=GENERIC` `follow_bodies` `level` `output=OUT` puts it there and makes the contacts right for the new mass.")
         .title("Take the contacts of another model")
         .contacts("Transferred contacts")
         .purpose("The contacts of another model, given to this one at its own mass, radii and number of spheres, so that the dimensionless contact is the reference's.");
@@ -294,8 +294,8 @@ verbs! {
     Check(CheckRequest) = VerbEntry::new(VerbGroup::Look, &["models"],
         "Compare models with the limits of the paper and the traps of the format")
         .details("After OpenSim's Scale Tool: check SCALED `from=GENERIC` says where each sphere belongs, and prints the transfer \
-                  SCALED `from=GENERIC` `follow_bodies` that puts it there. Where the generic model had a note, check SCALED alone is \
-                  enough.")
+                  SCALED `from=GENERIC` `follow_bodies` `level` that puts it there. Where the generic model had a note, check SCALED \
+                  alone is enough.")
         .contacts("Check of contacts")
         .purpose("Models compared with the limits of the paper and the traps of the format. Nothing was changed.");
     Inspect(InspectRequest) = VerbEntry::new(VerbGroup::Look, &["models"],

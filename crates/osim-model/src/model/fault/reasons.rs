@@ -119,7 +119,11 @@ pub(super) fn known_contacts_mass(title: &str, made_for_kg: f64, bodies_kg: f64,
             Input::ReferenceMass => "take the one that was scaled; if the contacts are right where they are, confirm their mass with ".into(),
             _ => phrase![
                 "take the contacts of the one that was scaled with ",
-                Verb::Transfer.call_with_model().with_placeholder(Input::From, "GENERIC").with_flag(Input::FollowBodies),
+                Verb::Transfer
+                    .call_with_model()
+                    .with_placeholder(Input::From, "GENERIC")
+                    .with_flag(Input::FollowBodies)
+                    .with_flag(Input::Level),
                 "; if only the mass changes, confirm that of the contacts with ",
             ],
         },
