@@ -240,7 +240,7 @@ def asymmetry(reading):
     return max(result)
 
 
-FLOOR = re.compile(r"pose (\S+), the lowest sphere, is (\S+) mm (inside|above) the floor(?:; to start there, (\S+)(?: of \S+)? = (\S+) \(now ([^;)]+)[;)])?")
+FLOOR = re.compile(r"pose (\S+), the lowest sphere, is (\S+) mm too (low|high)(?:; to start there, (\S+)(?: of \S+)? = (\S+) \(now ([^;)]+)[;)])?")
 PRINTED = 1e-6  # m
 
 
@@ -255,7 +255,9 @@ def test_the_way_to_the_floor_is_reported(added):
     sphere, distance, side, coordinate, there, now = note.groups()
     lowest = min(bottoms.values())
     assert bottoms[sphere] == pytest.approx(lowest, abs=1e-9)
-    assert float(distance) * (1 if side == "above" else -1) / 1000 == pytest.approx(lowest, abs=6e-5)
+    # In tenths of a millimetre, from one metre on in millimetres.
+    rounding_mm = 0.06 if float(distance) < 1000 else 0.5
+    assert float(distance) * (1 if side == "high" else -1) == pytest.approx(lowest * 1000, abs=rounding_mm)
     # A coordinate that has no element in the file has only OpenSim's name for it.
     if coordinate not in anatomy["coordinates"]:
         assert added.case.model.stem in VARIANTS

@@ -242,7 +242,7 @@ fn describe_standing(inspected: &InspectedModel<'_>) -> Result<Phrase, Phrase> {
     let describe = |body: &StandingBody| {
         Some(format!(
             "at the default pose the lowest sphere is {}; {}",
-            body.height_in_words()?,
+            body.pose_in_words()?,
             body.describe_way_to_stand()
         ))
     };

@@ -61,7 +61,7 @@ pub(crate) fn bottoms_moved_of_body(
     several: bool,
 ) -> Option<Finding> {
     let which = if several { format!(" of {}", shown(&now.body)) } else { String::new() };
-    let (was, is) = (before.height_in_words()?, now.height_in_words()?);
+    let (was, is) = (before.pose_in_words()?, now.pose_in_words()?);
     let text = format!("the default pose{which} was {was} and is {is} now; {}", now.describe_way_to_stand());
     Some(Finding::new(&BOTTOMS_MOVED, text).with_place(&now.lowest()?.path))
 }

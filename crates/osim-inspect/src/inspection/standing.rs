@@ -249,24 +249,14 @@ fn lowest_limb(standing: &Standing, limb_of: &HashMap<SphereId, usize>) -> Optio
 // A body over its floor in words, for `check`, `inspect` and changes.
 
 impl StandingBody {
-    /// How far inside or above the floor the lowest sphere is: `945 mm inside the floor`; `on the floor` within a tenth of a millimetre.
-    pub fn height_in_words(&self) -> Option<String> {
-        self.distance_in_words(readable, "inside the floor", "above the floor")
-    }
-
-    /// Where the default pose is: `65 mm too high`; `on the floor` within a tenth of a millimetre.
-    pub(crate) fn pose_in_words(&self) -> Option<String> {
-        self.distance_in_words(four_significant, "too low", "too high")
-    }
-
-    /// How far the lowest sphere is from the floor; `low` and `high` follow a distance inside the floor and above it.
-    fn distance_in_words(&self, number: fn(f64) -> String, low: &str, high: &str) -> Option<String> {
+    /// Where the lowest sphere, and with it the default pose, is: `65 mm too high`; `on the floor` within a tenth of a millimetre.
+    pub fn pose_in_words(&self) -> Option<String> {
         let height_m = self.lowest()?.height_m;
         if height_m.abs() < 1e-4 {
             return Some("on the floor".to_owned());
         }
-        let side = if height_m < 0.0 { low } else { high };
-        Some(format!("{} mm {side}", number((height_m.abs() * 1e4).round() / 10.0)))
+        let side = if height_m < 0.0 { "too low" } else { "too high" };
+        Some(format!("{} mm {side}", four_significant((height_m.abs() * 1e4).round() / 10.0)))
     }
 
     /// The coordinate with which the body stands: `to start there, pelvis_ty = 0.981 (now 0; the spheres then carry the body)`, or why

@@ -124,7 +124,7 @@ pub(crate) fn remark_on_standing(plan: &Plan, built: &Model) -> Option<Phrase> {
     let new: HashSet<&str> = new.iter().map(|sphere| sphere.name).collect();
     let is_new = |body: &StandingBody| body.bottoms.iter().any(|one| new.contains(one.sphere.as_str()));
     let body = bodies.into_iter().find(is_new)?;
-    let (lowest, height, way) = (body.lowest()?, body.height_in_words()?, body.describe_way_to_stand());
+    let (lowest, height, way) = (body.lowest()?, body.pose_in_words()?, body.describe_way_to_stand());
     let lowest = shown(&lowest.sphere);
     Some(format!("at the default pose {lowest}, the lowest sphere, is {height}; {way}").into())
 }

@@ -269,10 +269,7 @@ fn a_change_after_which_the_default_pose_no_longer_stands_says_so() {
     // 2.5 mm and 32.5 mm more.
     let said = remarks_on_moved_bottoms(HEEL_MODEL, &json!({"verb": "set", "set": {"radius": "x2"}}));
     let [said] = said.as_slice() else { panic!("{said:?}") };
-    assert!(
-        said.starts_with("the default pose was 2.5 mm inside the floor and is 35 mm inside the floor now; "),
-        "{said}"
-    );
+    assert!(said.starts_with("the default pose was 2.5 mm too low and is 35 mm too low now; "), "{said}");
     assert!(said.ends_with("; the spheres then carry the body)"), "{said}");
     // Bottoms that stay, and little that moves.
     assert!(

@@ -193,7 +193,7 @@ const MOST_SPHERES_NAMED: usize = 6;
 
 /// Sentences about a body: its height at the default pose, and the equilibria on all its feet and on one limb.
 pub(crate) fn sentences_on_body(body: &StandingBody, extent: Extent) -> Vec<String> {
-    let Some((lowest, place)) = body.lowest().zip(body.height_in_words()) else {
+    let Some((lowest, place)) = body.lowest().zip(body.pose_in_words()) else {
         return vec!["the height of its spheres over a floor is not known".to_owned()];
     };
     let mut sentence =
