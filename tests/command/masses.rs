@@ -197,6 +197,8 @@ fn a_wrong_original_model_causes_an_error_with_the_reason() {
         let text = run.out().split_whitespace().collect::<Vec<_>>().join(" ");
         assert!(text.contains(expected) && text.contains("1 error"), "{call}: {text}");
     }
+    dir.write("bare.osim", crate::support::fixture("feet/human_40000.osim"));
+    dir.run("check bare.osim --from generic.osim").succeeded().says_not(&["spheres-not-compared"]);
     for itself in ["scaled.osim", "./scaled.osim"] {
         let run = dir.run(&format!("check scaled.osim --from {itself}")).usage_error();
         run.says(&["scaled.osim is the model itself", "--from"]);

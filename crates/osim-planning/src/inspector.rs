@@ -281,6 +281,10 @@ impl Inspector {
         let (Some(Ok(generic)), Some((from, scale_file))) = (&self.generic, &self.place_reference) else {
             return;
         };
+        if model.loaded_spheres(&model.force_ids()).is_empty() {
+            // A model without contacts has a finding of its own.
+            return;
+        }
         let mass = self.options.masses.model_mass(model).ok().zip(generic.contacts_kg);
         let ratios = mass.and_then(|(mass, contacts_kg)| Ratios::isometric(mass.kg / contacts_kg).ok());
         let radius_ratio = ratios.map(|ratios| ratios.radius());
