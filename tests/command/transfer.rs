@@ -123,6 +123,19 @@ fn contacts_gravity_is_refused_for_transfer() {
 }
 
 #[test]
+fn spheres_that_stay_where_the_reference_has_them_are_remarked_on() {
+    let dir = TestDir::with(&[
+        ("scale_tool/generic_smooth.osim", "generic.osim"),
+        ("scale_tool/scaled_smooth.osim", "scaled.osim"),
+    ]);
+    let remark = ["the bones have another size", "move the spheres with --follow-bodies and --level"];
+    dir.run("transfer scaled.osim --from generic.osim -o stayed.osim").succeeded().says(&remark);
+    let follow = "transfer scaled.osim --from generic.osim --follow-bodies --level -o moved.osim";
+    dir.run(follow).succeeded().says_not(&remark);
+    dir.run("transfer moved.osim --from generic.osim --dry-run").succeeded().says_not(&remark);
+}
+
+#[test]
 fn the_named_reference_sphere_gives_the_radius() {
     let dir = TestDir::with(&[
         ("format/mixed_radii.osim", "mixed.osim"),

@@ -84,7 +84,7 @@ fn given_reference_mass(kg: Kilograms) -> Mass {
     Mass { kg: kg.get(), source: MassSource::ReferenceMass }
 }
 
-/// Reads the model at `from` as a reference; with its skeleton if spheres follow their bodies.
+/// Reads the model at `from` as a reference, with its skeleton.
 ///
 /// # Errors
 /// It cannot be read, or cannot be a reference.
@@ -121,10 +121,11 @@ pub(super) fn reference_of_opened(
     let (reference, sphere_count) = reference_from_model(&open.model, mass_of_published, request, from)
         .map_err(|fault| open.failure(fault))?;
     let state = reference_state(request, from, open, &reference);
-    if !request.follow.follow_bodies {
-        return Ok((reference, state, None));
-    }
-    let anatomy = Anatomy::of(&open.model).map_err(|fault| open.failure(fault))?;
+    let anatomy = match Anatomy::of(&open.model) {
+        Ok(anatomy) => anatomy,
+        Err(_) if !request.follow.follow_bodies => return Ok((reference, state, None)),
+        Err(fault) => return Err(open.failure(fault)),
+    };
     let file =
         request.follow.body_scale_file.as_deref().map(|path| read_scale_file(path, files)).transpose()?;
     let standing = names_of_standing_spheres(&open.model);

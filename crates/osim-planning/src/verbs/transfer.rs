@@ -4,9 +4,9 @@ use std::path::Path;
 
 use contact_scaling::Ratios;
 use osim_inspect::LoadSharing;
-use osim_model::compare::{Factors, Follow, FollowRequest, OwnRadii};
+use osim_model::compare::{Factors, Follow, FollowRequest, OwnRadii, SpherePlacements};
 use osim_model::files::{Failure, Files};
-use osim_model::messages::{Input, Verb, phrase};
+use osim_model::messages::{Input, Phrase, Verb, phrase};
 use osim_model::{
     Anatomy, CountedSpheres, Fault, GravityFor, LevelAxis, MassRequest, MissingFact, Model, Property,
     RadiusRule, Selected, Selection, implausible_mass, moving_spheres,
@@ -61,7 +61,8 @@ pub(super) fn prepare(mut request: TransferRequest, files: &dyn Files) -> Result
     let stance = request.counts.stance_options(None, None);
     let inspection = InspectionOptions { stance, masses, choice, set_files, answers };
     let target_gravity_m_s2 = request.scaling.target_gravity.map(Acceleration::get);
-    let planner = TransferPlanner { keeps_bottoms, ..planner(request, reference, generic) };
+    let original = generic.as_ref().filter(|_| is_file).map(|generic| generic.anatomy.clone());
+    let planner = TransferPlanner { keeps_bottoms, original, ..planner(request, reference, generic) };
     Ok(PreparedChange {
         reference: Some(state),
         target_gravity_m_s2,
@@ -90,6 +91,7 @@ pub(super) fn planner(
 ) -> TransferPlanner {
     let gravity = request.reference.reference_gravity.map(Acceleration::get);
     reference.gravity_m_s2 = gravity.or(reference.gravity_m_s2);
+    let follows = request.follow.follow_bodies;
     TransferPlanner {
         counts: request.counts,
         follow: request.follow,
@@ -100,7 +102,8 @@ pub(super) fn planner(
         reference,
         has_reference_spheres: request.reference.reference_spheres.is_some(),
         has_reference_gravity: gravity.is_some(),
-        generic,
+        generic: generic.filter(|_| follows),
+        original: None,
         keeps_bottoms: false,
         may_repeat: request.output.may_repeat(),
     }
@@ -187,6 +190,18 @@ fn refuse_senseless_radii(request: &TransferRequest) -> Result<(), RequestFault>
     Ok(())
 }
 
+/// The remark that the spheres of `model` are where the `original` has them, although its bodies have another size.
+fn remark_on_left_behind(model: &Model, original: &Anatomy) -> Option<Phrase> {
+    let placement = SpherePlacements::compare(model, Path::new(""), None, original, None, None);
+    let text = || {
+        phrase![
+            "the spheres are where the reference has them, and the bones have another size: if this model was scaled             from the reference, move the spheres with {} and {}";
+            Input::FollowBodies, Input::Level
+        ]
+    };
+    placement.was_left_behind().then(text)
+}
+
 /// Plans the contacts of a reference, scaled to the size of the model.
 pub(super) struct TransferPlanner {
     pub(super) counts: CountOptions,
@@ -202,6 +217,8 @@ pub(super) struct TransferPlanner {
     has_reference_gravity: bool,
     /// The generic model, if spheres follow their bodies.
     pub(super) generic: Option<GenericModel>,
+    /// The skeleton of the reference, if it is a file.
+    original: Option<Anatomy>,
     /// Whether the lowest points of round spheres stay on the scaled soles although the caller did not ask for it.
     keeps_bottoms: bool,
     pub(super) may_repeat: bool,
@@ -264,6 +281,8 @@ impl TransferPlanner {
         plan.remarks.append(&mut remarks);
         let forces = generic.is_none().then_some(selected.forces.as_slice());
         plan.remarks.extend(remark_on_limbs(&self.counts, model, forces));
+        let original = self.original.as_ref().filter(|_| generic.is_none());
+        plan.remarks.extend(original.and_then(|original| remark_on_left_behind(model, original)));
         Ok(plan)
     }
 
