@@ -181,6 +181,17 @@ fn a_reference_whose_spheres_do_not_fit_its_own_bones_is_refused_whatever_its_ma
 }
 
 #[test]
+fn contacts_for_another_gravity_have_one_finding() {
+    let dir = TestDir::with_human();
+    let set = ["set it in OpenSim"];
+    dir.run("human.osim --target-mass 62 --target-gravity 1.62 -o moon.osim").succeeded().says(&set);
+    // Under gravity as it is in the file the contacts are too soft, because they are made for another.
+    dir.run("check moon.osim").failed().says(&["gravity-sources-disagree"]).says_not(&["sunk-in"]);
+    let back = "moon.osim --target-mass 62 --target-gravity 9.81 -o back.osim";
+    dir.run(back).succeeded().says_not(&set);
+}
+
+#[test]
 fn a_wrong_original_model_causes_an_error_with_the_reason() {
     let dir = TestDir::with(&SCALED_MODELS);
     let noted = [("drawn_feet/six_spheres.osim", "noted.osim"), ("drawn_feet/left_behind.osim", "left.osim")];

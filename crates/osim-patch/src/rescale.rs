@@ -13,7 +13,7 @@ use crate::change::{GravityChange, property_factor};
 use crate::new_radii::{Radii, SphereRadiusRule};
 use crate::note_edits::NotedMass;
 use crate::plan::{Masses, NoteFacts, Plan};
-use crate::rules::{self, REMARK_GRAVITY_STAYS, warn_forces};
+use crate::rules::{self, warn_forces};
 
 /// The note's name for a rescaling that moved spheres with their bodies by a `ScaleSet`.
 pub const OPERATION_FOLLOWING_SCALE_FILE: &str = "rescale body-scale-file";
@@ -209,9 +209,7 @@ fn plan_with_note_and_remarks(
         } else {
             remarks.push(rules::REMARK_LEVEL.into());
         }
-        if wanted.target_gravity_m_s2.is_some() {
-            remarks.push(REMARK_GRAVITY_STAYS.into());
-        }
+        remarks.extend(rules::remark_on_gravity(model, wanted.target_gravity_m_s2));
     }
     let target_mass_kg = if nothing { wanted.contacts_mass.kg } else { wanted.target_mass_kg };
     let contacts_mass = wanted.contacts_mass.clone();

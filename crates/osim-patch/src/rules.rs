@@ -4,7 +4,8 @@ use contact_scaling::{RatioValues, Ratios};
 use osim_model::compare::Follow;
 use osim_model::messages::{Input, Phrase, Verb, four_significant, phrase, readable, three_significant};
 use osim_model::{
-    Example, Finding, Force, ForceId, ForceKind, Mass, Property, PropertySet, RadiusRule, Repair, Rule,
+    Example, Finding, Force, ForceId, ForceKind, Mass, Model, Property, PropertySet, RadiusRule, Repair,
+    Rule, are_equal_gravities,
 };
 
 use crate::builder::PlanBuilder;
@@ -143,7 +144,12 @@ pub const REMARK_PLACES_STAY: &str = "body masses and sphere locations stay as t
 pub(crate) const REMARK_LEVEL: &str = "body masses stay as they are; sphere centres move, so that the lowest point of each sphere stays where it is";
 
 /// The remark if contacts are scaled to a gravity that is not the model's.
-pub(crate) const REMARK_GRAVITY_STAYS: &str = "the model's own <gravity> stays as it is: set it in OpenSim";
+pub(crate) fn remark_on_gravity(model: &Model, target_m_s2: Option<f64>) -> Option<Phrase> {
+    let own_m_s2 = model.gravity();
+    let is_other = |target| own_m_s2.is_none_or(|own| !are_equal_gravities(target, own));
+    let text = "the model's own <gravity> stays as it is: set it in OpenSim";
+    target_m_s2.is_some_and(is_other).then(|| text.into())
+}
 
 /// The remark if spheres move because their feet are made level.
 pub(crate) const REMARK_LEVEL_FEET: &str = "spheres move down, along the normal of their floor, until all spheres of a foot are as low as its lowest one at the default pose";

@@ -12,7 +12,7 @@ use FindingCode::*;
 
 /// Codes of causes, and the codes of what follows from them anywhere in the model, in the order in which they are left out. If something
 /// else causes it, too, that is found once the first cause is gone.
-const EFFECTS: [(&[FindingCode], &[FindingCode]); 16] = [
+const EFFECTS: [(&[FindingCode], &[FindingCode]); 17] = [
     (&[AngleInDegrees], &[LeftRightBones, LeftRightPlaces, OddPlace, SpheresMisplaced, UnevenBottoms]),
     (&[MisplacedObject], &[ConnecteeByName]),
     (&[MisnamedParameterSet, UnknownName], &[BareModel, IgnoredContacts]),
@@ -22,7 +22,7 @@ const EFFECTS: [(&[FindingCode], &[FindingCode]); 16] = [
     (&[DoubledSpheres], &[CrowdedSpheres]),
     (&[ContactsOfAnotherMass, GravitySourcesDisagree, MassSourcesDisagree], &[Floats, ForceBeforeContact]),
     (&[MasslessBody], &[ContactsOfAnotherMass, Floats, ForceBeforeContact, TooStiff]),
-    (&[ContactsOfAnotherMass], &[SunkIn]),
+    (&[ContactsOfAnotherMass, GravitySourcesDisagree], &[SunkIn]),
     (&[HeavyFoot, MasslessBody], &[ContactsOfAnotherMass, MassSourcesDisagree]),
     (&[SphereInTwoForces, DoubledSpheres], &[Floats, ForceBeforeContact]),
     (&[SphereOfOtherSide], &[SphereInTwoForces, LeftRightMissing, OneSideOnly]),

@@ -17,7 +17,7 @@ use crate::new_radii::{Radii, SphereRadiusRule};
 use crate::note_edits::NotedMass;
 use crate::objects::keeps_sphere_inside;
 use crate::plan::{Masses, NoteFacts, Plan, TRANSFER_OPERATION};
-use crate::rules::{self, REMARK_GRAVITY_STAYS, REMARK_PLACES_STAY, warn_forces};
+use crate::rules::{self, REMARK_PLACES_STAY, warn_forces};
 use crate::transfer::contact_choice::{ContactChoice, ReferenceRadii};
 
 pub use reference::{
@@ -176,10 +176,8 @@ fn plan_with_note_and_remarks(
         remarks.push(REMARK_PLACES_STAY.into());
         rules::remark_on_bottoms(&mut remarks, Some(radii));
     }
-    // Nothing is to be set in OpenSim where the target is the model's own gravity.
-    let other_gravity = wanted.target_gravity_m_s2.is_some_and(|target| model.gravity() != Some(target));
-    if other_gravity && !changes.is_empty() {
-        remarks.push(REMARK_GRAVITY_STAYS.into());
+    if !changes.is_empty() {
+        remarks.extend(rules::remark_on_gravity(model, wanted.target_gravity_m_s2));
     }
     let reference = &wanted.reference;
     let count = |count: f64| match wanted.counts_cancel {
