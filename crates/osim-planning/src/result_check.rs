@@ -3,9 +3,9 @@
 use std::collections::{HashMap, HashSet};
 
 use osim_inspect::{
-    Bottom, FindingIndex, FindingWithRemedy, InspectOptions, LoadSharing, SphereFigures, Stance,
-    StandingBody, all_findings, check_without_remedies, describe_unmatched_patterns, sort_findings,
-    without_effects,
+    Bottom, FindingIndex, FindingWithRemedy, InspectOptions, LoadSharing, ReferenceState, SphereFigures,
+    Stance, StandingBody, all_findings, check_without_remedies, describe_unmatched_patterns,
+    sort_findings, without_effects,
 };
 use osim_model::feet::{MOST_LEAN_RAD, PoseFault, Standing};
 use osim_model::files::{Failure, Files, OpenModel};
@@ -117,14 +117,20 @@ impl PreparedChange {
         let is_confirmed = matches!(self.verb, Verb::Set | Verb::Design | Verb::Fit | Verb::Remove)
             || plan.restores_original()
             || self.answers.confirms(YesQuestion::WrongAfterwards);
-        // Where lower spheres carry the body alone, the change is wrong only if it moved bottoms apart: else they hung lower before.
+        // Where lower spheres carry the body alone, the change is wrong only if it moved bottoms apart, or if spheres of the reference do
+        // not sink in: else they hung lower before.
         let has_parted = !moved.uneven.is_empty();
+        let is_right = |reference: &ReferenceState| {
+            reference.digest.is_some()
+                && reference.findings.iter().all(|one| one.code() != FindingCode::SunkIn)
+        };
+        let is_reference_right = self.reference.as_ref().is_some_and(is_right);
         let mut figures = inspected.iter().flat_map(|inspected| inspected.figures.spheres());
         let is_too_soft = figures.any(SphereFigures::is_in_to_centre);
         let is_wrong = |one: &&Finding| {
             let is_error = one.severity == Severity::Error && !one.had_before;
             match is_sunk_in(one) {
-                true => has_parted || (is_error && is_too_soft),
+                true => has_parted || (is_error && (is_too_soft || is_reference_right)),
                 false => is_error,
             }
         };

@@ -86,12 +86,13 @@ fn forces_that_were_removed_are_not_missed_in_the_result() {
     }
 }
 
-/// The human whose contacts are right, and as the reference the same human with a tenth of the stiffness, in which spheres sink in up to
-/// their centres: 10^(2/3) times 0.353 R by (3).
-#[test]
-fn an_error_of_the_reference_is_asked_about_in_a_model_without_it() {
-    let human = include_str!("../../../../fixtures/check/known_contacts.osim");
-    let soft = human.replace(">1000000<", ">100000<");
+/// A human whose contacts are right.
+const HUMAN: &str = include_str!("../../../../fixtures/check/known_contacts.osim");
+
+/// Fails unless a transfer to `human` from the same human with another stiffness asks whether the result may be wrong.
+#[track_caller]
+fn assert_asks(human: &str, stiffness: &str) {
+    let soft = HUMAN.replace(">1000000<", &format!(">{stiffness}<"));
     let files = InMemory::from_iter([("human.osim", human), ("soft.osim", soft.as_str())]);
     let plan = |yes: &[&str]| {
         let call = json!({
@@ -103,4 +104,17 @@ fn an_error_of_the_reference_is_asked_about_in_a_model_without_it() {
     };
     assert_eq!(plan(&[]), Err("wrong-afterwards"));
     assert_eq!(plan(&["wrong-afterwards"]), Ok(()));
+}
+
+/// With a tenth of the stiffness the reference's spheres sink in up to their centres: 10^(2/3) times 0.353 R by (3).
+#[test]
+fn an_error_of_the_reference_is_asked_about_in_a_model_without_it() {
+    assert_asks(HUMAN, "100000");
+}
+
+/// With 0.2265 of the stiffness the reference's spheres sink in 0.95 R by (3); in a model whose heels are 6 mm lower these sink in more.
+#[test]
+fn an_error_that_the_reference_has_not_is_asked_about() {
+    let lower = HUMAN.replace("<location>0.00190115 -0.01 ", "<location>0.00190115 -0.016 ");
+    assert_asks(&lower, "226500");
 }
