@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use foldhash::{HashMap, HashMapExt};
-use osim_model::messages::{readable, shown, three_significant};
+use osim_model::messages::{four_significant, shown, three_significant};
 use osim_model::{
     Body, BodyShape, DVec3, Example, Finding, MassRequest, Model, Repair, Rule, Side, Sphere, without_side,
 };
@@ -180,7 +180,7 @@ const LARGE_RADIUS_OF_EXTENT: f64 = 0.36;
 
 rule! { pub(super) ODD_RADIUS: OddRadius, Warning, Sizes;
     what: "The radius of a sphere does not fit the length of its limb.",
-    why: "Radii of published feet are 0.011 to 0.2 of the limb's longest bone, and in 95 % of them R / M^(1/3) is between 0.0002 and 0.029 m/kg^(1/3). Much more or less is another unit, mostly millimetres, or another animal's sphere.",
+    why: "Radii of published feet are 0.011 to 0.2 of the limb's longest bone, and in 95 % of them 0.2 to 29 mm times the cube root of the body mass in kg. Much more or less is another unit, mostly millimetres, or another animal's sphere.",
     advice: "Write radii in metres; contacts of a model of another size need radii that follow it",
     repair: Repair::NotPossible("only you know the right size"),
     example: Example::Piece { model: "table1/human_62kg_smooth_sphere.osim",
@@ -203,24 +203,24 @@ pub(super) fn find_odd_radius(sides: &BothSides<'_>) -> Option<Finding> {
     let mut odd: Vec<OddRadius<'_>> = sides.spheres().filter_map(find).collect();
     odd.sort_by(|a, b| b.times_limit().total_cmp(&a.times_limit()));
     let Some(worst) = odd.first() else { return find_large_against_mass(sides) };
-    let text = describe_odd_radius(worst, odd.len(), sides.model);
+    let text = describe_odd_radius(worst, odd.len());
     finding_about_spheres(&ODD_RADIUS, text, odd.iter().map(|odd| odd.sphere))
 }
 
 /// One finding for all radii on limbs that are too large against the mass, though not against the bones: all lengths are in another unit.
 fn find_large_against_mass(sides: &BothSides<'_>) -> Option<Finding> {
     let kg = MassRequest::default().bodies_kg(sides.model).filter(|kg| *kg > 0.0)?;
-    let against_mass = |sphere: &Sphere| sphere.radius.number / libm::cbrt(kg);
+    let largest_m = LARGEST_RADIUS_OF_MASS * libm::cbrt(kg);
     let on_limbs = sides.spheres().filter(|(_, body, _)| sides.longest_bone_of_limb_m(body).is_some());
-    let large =
-        on_limbs.map(|(sphere, _, _)| sphere).filter(|one| against_mass(one) > LARGEST_RADIUS_OF_MASS);
+    let large = on_limbs.map(|(sphere, _, _)| sphere).filter(|one| one.radius.number > largest_m);
     let large: Vec<&Sphere> = large.collect();
     let first = large.first()?;
     let text = format!(
-        "radius of {} is {} m, and R / M^(1/3) is {} m/kg^(1/3), expected at most {LARGEST_RADIUS_OF_MASS}{}",
+        "radius of {} is {} m, expected at most {} m for a body of {} kg{}",
         shown(&first.name),
-        readable(first.radius.number),
-        three_significant(against_mass(first)),
+        four_significant(first.radius.number),
+        three_significant(largest_m),
+        four_significant(kg),
         other_cases_in_words(large.len(), "another radius, too", "other radii, too")
     );
     finding_about_spheres(&ODD_RADIUS, text, large.iter().copied())
@@ -288,22 +288,17 @@ impl<'m> FootExtents<'m> {
 }
 
 /// The message about the oddest of `count` radii.
-fn describe_odd_radius(worst: &OddRadius<'_>, count: usize, model: &Model) -> String {
-    let radius_m = worst.sphere.radius.number;
+fn describe_odd_radius(worst: &OddRadius<'_>, count: usize) -> String {
     let is_large = RADIUS_OF_BONE.contains(&worst.part_of_bone);
     let more = other_cases_in_words(count, "another radius, too", "other radii, too");
-    let mass_kg = MassRequest::default().bodies_kg(model).filter(|kg| *kg > 0.0);
-    let against_mass = mass_kg
-        .map(|kg| format!(" (R / M^(1/3) is {} m/kg^(1/3))", three_significant(radius_m / libm::cbrt(kg))));
     format!(
-        "radius of {} is {} m, {} of the limb's longest bone ({} m), expected {} to {}{}{more}",
+        "radius of {} is {} m, {} of the limb's longest bone ({} m), expected {} to {}{more}",
         shown(&worst.sphere.name),
-        readable(radius_m),
+        four_significant(worst.sphere.radius.number),
         three_significant(worst.part_of_bone),
         three_significant(worst.bone_m),
         RADIUS_OF_BONE.start(),
-        if is_large { LARGE_RADIUS_OF_BONE } else { *RADIUS_OF_BONE.end() },
-        against_mass.unwrap_or_default()
+        if is_large { LARGE_RADIUS_OF_BONE } else { *RADIUS_OF_BONE.end() }
     )
 }
 
