@@ -197,10 +197,23 @@ fn a_wrong_original_model_causes_an_error_with_the_reason() {
     let noted = [("drawn_feet/six_spheres.osim", "noted.osim"), ("drawn_feet/left_behind.osim", "left.osim")];
     noted.iter().for_each(|(from, to)| dir.write(to, crate::support::fixture(from)));
     dir.write("copy.osim", dir.text("misplaced.osim"));
+    let own = |name: &str| dir.text(name).replace("<stiffness>2000000<", "<stiffness>3100000<");
+    // Meshes that are scaled in one of the models.
+    dir.write("own.osim", own("generic.osim").replace("1.01 1 1.02", "1 1 1"));
+    let in_generic = [
+        ("1.0302 0.90000000000000002 0.96899999999999997", "1.02 0.9 0.95"),
+        ("0.95949999999999991 0.93000000000000005 0.96899999999999997", "0.95 0.93 0.95"),
+        ("0.96960000000000002 0.97999999999999998 0.95879999999999999", "0.96 0.98 0.94"),
+        ("0.97970000000000002 0.91000000000000003 0.98939999999999995", "0.97 0.91 0.97"),
+    ];
+    let scaled = in_generic.iter().fold(own("scaled.osim"), |text, (was, is)| text.replace(was, is));
+    dir.write("own_scaled.osim", scaled);
     for (call, expected) in [
         ("check generic.osim --from scaled.osim", "the two are swapped"),
         // A note in both, which says by itself that spheres of the scaled model were left behind.
         ("check noted.osim --from left.osim", "the two are swapped"),
+        // Contacts that nobody published.
+        ("check own.osim --from own_scaled.osim", "the two are swapped"),
         ("check scaled.osim --from known.osim", "spheres-not-compared"),
         ("check misplaced.osim --from copy.osim", "has a fault of its own"),
     ] {

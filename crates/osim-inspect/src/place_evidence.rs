@@ -56,14 +56,7 @@ impl PlaceEvidence {
         if !far.is_empty() {
             return Self::FarReach(far);
         }
-        let carriers = model.loaded_spheres(&model.force_ids());
-        let mut bodies = carriers.iter().filter_map(|&id| model.sphere(id)?.body.as_deref());
-        // Only feet count: meshes of balls and blocks are stretched to their size.
-        let is_scaled = |body: &str| {
-            let is_unit = |size| (-6..=3).any(|exponent| same_size(size, [10_f64.powi(exponent); 3]));
-            bones.is_foot(body) && bones.size(body).is_some_and(|size| !is_unit(size))
-        };
-        if bodies.any(is_scaled) { Self::Unknown } else { Self::Unscaled }
+        if are_feet_scaled(model) == Some(true) { Self::Unknown } else { Self::Unscaled }
     }
 
     /// Whether the spheres are at wrong places. Other corrections wait until the spheres are moved.
@@ -75,6 +68,17 @@ impl PlaceEvidence {
     pub(crate) fn is_right(&self) -> bool {
         matches!(self, Self::Right)
     }
+}
+
+/// Whether the meshes of a foot with spheres are scaled; `None` if no foot with spheres has meshes of a known size.
+pub fn are_feet_scaled(model: &Model) -> Option<bool> {
+    let bones = BodyBones::of(model)?;
+    let carriers = model.loaded_spheres(&model.force_ids());
+    let bodies = carriers.iter().filter_map(|&id| model.sphere(id)?.body.as_deref());
+    // Only feet count: meshes of balls and blocks are stretched to their size.
+    let feet = bodies.filter(|body| bones.is_foot(body));
+    let is_unit = |size| (-6..=3).any(|exponent| same_size(size, [10_f64.powi(exponent); 3]));
+    feet.filter_map(|body| bones.size(body)).map(|size| !is_unit(size)).reduce(|a, b| a || b)
 }
 
 /// The bodies that have spheres and do not belong to a foot, if no calcaneus of the model has spheres, or, in a model without calcaneus, no

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use contact_scaling::Ratios;
 use osim_inspect::{
     CheckResult, FindingWithRemedy, InspectOptions, Inspection, ReferenceContacts, SizeList,
-    check_without_remedies, find_misplaced_spheres, unexplained_mass,
+    are_feet_scaled, check_without_remedies, find_misplaced_spheres, unexplained_mass,
 };
 use osim_model::compare::{Factors, ModelSize, ScaleFile, Similarity, SpherePlacements, moco_bounds};
 use osim_model::files::{Failure, FileName, Files, OpenModel};
@@ -63,6 +63,8 @@ struct GenericModel {
     fault: Option<Phrase>,
     /// Whether the bodies have the mass for which the contacts were published; `None` if the contacts are not published ones.
     fits_contacts: Option<bool>,
+    /// Whether the meshes of its feet are scaled, if they have meshes.
+    has_scaled_feet: Option<bool>,
 }
 
 /// Reads the generic model, and the ScaleSet beside it if there is one.
@@ -102,6 +104,7 @@ fn generic_model(
         codes: findings.iter().map(|one| one.code()).collect(),
         fault,
         fits_contacts: fits_known_contacts(&inspected),
+        has_scaled_feet: are_feet_scaled(&generic.model),
     })
 }
 
@@ -294,8 +297,13 @@ impl Inspector {
         let fits = (fits_known_contacts(inspection), generic.fits_contacts);
         let other_left_behind = generic.codes.contains(&FindingCode::SpheresLeftBehind);
         let alone = other_left_behind && find_misplaced_spheres(model).is_none();
+        let are_scaled = || (are_feet_scaled(model), generic.has_scaled_feet);
         if placement.was_left_behind() && (alone || fits == (Some(true), Some(false))) {
             let why = "the contacts of this model fit its body, and those of the other one do not: the two are swapped";
+            placement = placement.of_wrong_model(why.into());
+        } else if placement.was_left_behind() && are_scaled() == (Some(false), Some(true)) {
+            let why =
+                "the bones of the other one are scaled, and those of this model are not: the two are swapped";
             placement = placement.of_wrong_model(why.into());
         } else if let Some(fault) = &generic.fault {
             placement = placement.of_wrong_model(fault.clone());
