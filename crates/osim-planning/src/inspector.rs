@@ -5,8 +5,8 @@ use std::path::{Path, PathBuf};
 
 use contact_scaling::Ratios;
 use osim_inspect::{
-    CheckResult, FindingWithRemedy, InspectOptions, Inspection, ReferenceContacts, SizeList,
-    are_feet_scaled, check_without_remedies, find_misplaced_spheres, unexplained_mass,
+    CheckResult, FindingWithRemedy, InspectOptions, Inspection, ReferenceContacts, SizeList, are_feet_scaled,
+    check_without_remedies, find_misplaced_spheres, unexplained_mass,
 };
 use osim_model::compare::{Factors, ModelSize, ScaleFile, Similarity, SpherePlacements, moco_bounds};
 use osim_model::files::{Failure, FileName, Files, OpenModel};

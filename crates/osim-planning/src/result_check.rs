@@ -4,8 +4,8 @@ use std::collections::{HashMap, HashSet};
 
 use osim_inspect::{
     Bottom, FindingIndex, FindingWithRemedy, InspectOptions, LoadSharing, ReferenceState, SphereFigures,
-    Stance, StandingBody, all_findings, check_without_remedies, describe_unmatched_patterns,
-    sort_findings, without_effects,
+    Stance, StandingBody, all_findings, check_without_remedies, describe_unmatched_patterns, sort_findings,
+    without_effects,
 };
 use osim_model::feet::{MOST_LEAN_RAD, PoseFault, Standing};
 use osim_model::files::{Failure, Files, OpenModel};

@@ -248,8 +248,7 @@ fn misplaced_spheres(placement: &SpherePlacements, stayed: bool) -> Option<Findi
         Finding::new(&SPHERES_LEFT_BEHIND, format!("{count} of {total} did not follow the bones ({most})"))
     } else {
         let text = phrase![
-            "{count} of {total} were moved by hand, away from where the bones have taken them ({most}): {} places \
-            them again";
+            "{count} of {total} were moved, but not to where the bones have taken them ({most}): {} places them again";
             Input::MovedSpheres.with_placeholder("replace")
         ];
         Finding::new(&SPHERES_MISPLACED, text)

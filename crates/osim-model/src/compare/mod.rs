@@ -243,7 +243,9 @@ fn placed_spheres(
         let belongs_m =
             if is_round { centre_on_sole(now, old, (of_body, new_radius_m), up) } else { scaled_m };
         // A radius that changes later leaves the place as it is.
-        let expected_m = [scaled_m, belongs_m, centre_on_sole(now, old, (of_body, now.radius_m), up)];
+        let on_sole = |radius_m| centre_on_sole(now, old, (of_body, radius_m), up);
+        let (of_radius_m, of_old_radius_m) = (on_sole(now.radius_m), on_sole(old.radius_m));
+        let expected_m = [scaled_m, belongs_m, of_radius_m];
         let is_at = |place_m: [f64; 3], tolerance_m| {
             here_m.iter().zip(place_m).all(|(a, b)| (a - b).abs() <= tolerance_m)
         };
@@ -252,15 +254,24 @@ fn placed_spheres(
         // A place with all its digits is no other place rounded.
         let of_place_m = if is_at(old.location_m, SAME_PLACE_M) { SAME_PLACE_M } else { rounding_m };
         let tolerance_m = of_factors_m.max(of_place_m);
+        let stayed = is_at(old.location_m, rounding_m);
+        let is_of_radius_between = || {
+            let ends = of_radius_m.into_iter().zip(of_old_radius_m);
+            here_m
+                .iter()
+                .zip(ends)
+                .all(|(here, (a, b))| (a.min(b) - tolerance_m..=a.max(b) + tolerance_m).contains(here))
+        };
         PlacedSphere {
             name: sphere.name.clone(),
             path: sphere.path.clone(),
             position: sphere.position,
             here_m,
             belongs_m,
-            follows: expected_m.into_iter().any(|place_m| is_at(place_m, tolerance_m)),
+            follows: expected_m.into_iter().any(|place_m| is_at(place_m, tolerance_m))
+                || (!stayed && is_of_radius_between()),
             untouched: now.is_as_in(old),
-            stayed: is_at(old.location_m, rounding_m),
+            stayed,
         }
     });
     Ok((placed.collect(), remarks_on_unmatched_spheres(model, scaled, original), suits_level))
