@@ -9,7 +9,7 @@ use super::body_factors::{
 };
 use super::scale_file::ScaleFile;
 use super::scaled_copy::SHORTEST_OFFSET_M;
-use crate::messages::Phrase;
+use crate::messages::{Phrase, four_significant};
 use crate::model::{Anatomy, Fault, MissingFact, Side, UnknownFactors, without_side};
 
 /// Two sources of a scaled copy disagree if their factors differ by more than this (relative).
@@ -87,10 +87,12 @@ impl<'a> BodyFactorSources<'a> {
             for (other, value) in others.filter_map(|(other, values)| Some((other, values[axis]?))) {
                 if (value - factor).abs() > limit * factor {
                     messages.push(format!(
-                        "body {}, {name}: {} gives {factor:.6}, {} gives {value:.6}; the first was used",
+                        "body {}, {name}: {} gives {}, {} gives {}; the first was used",
                         self.body,
                         source.as_str(),
-                        other.as_str()
+                        four_significant(factor),
+                        other.as_str(),
+                        four_significant(value)
                     ));
                 }
             }
@@ -105,10 +107,12 @@ impl<'a> BodyFactorSources<'a> {
         let (distance, source, [along, ratio]) = self.distance_ratios(taken)?;
         ((ratio - along).abs() > TOLERANCE_OF_DIFFERENT_MODELS * along).then(|| {
             format!(
-                "body {}: {} gives {along:.6} for the distance to joint {}, but the distance is {ratio:.6} of the reference's; the first was used",
+                "body {}: {} gives {} for the distance to joint {}, but the distance is {} of the reference's; the first was used",
                 self.body,
                 source.as_str(),
-                distance.joint
+                four_significant(along),
+                distance.joint,
+                four_significant(ratio)
             )
         })
     }

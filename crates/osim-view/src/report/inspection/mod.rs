@@ -167,7 +167,7 @@ fn sentences_on_standing(inspected: &Inspection, layout: Layout) -> String {
 
 /// The scale factors of each body, compared with the generic model; `?` for a factor that no source has.
 fn body_factors(inspected: &Inspection, layout: Layout) -> String {
-    let number = |factor| layout.extent.number(factor, |factor| format!("{factor:.6}"));
+    let number = |factor| layout.extent.number(factor, |factor| format!("{factor:.4}"));
     let mut table = table(&["scaled body", "x", "y", "z", "from"]);
     for body in inspected.body_factors.iter().flatten() {
         let mut cells = vec![body.body.clone()];
