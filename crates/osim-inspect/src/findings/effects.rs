@@ -26,6 +26,7 @@ const EFFECTS: [(&[FindingCode], &[FindingCode]); 17] = [
     (&[HeavyFoot, MasslessBody], &[ContactsOfAnotherMass, MassSourcesDisagree]),
     (&[SphereInTwoForces, DoubledSpheres], &[Floats, ForceBeforeContact]),
     (&[SphereOfOtherSide], &[SphereInTwoForces, LeftRightMissing, OneSideOnly]),
+    (&[LargeFriction], &[DynamicAboveStatic]),
     (&[LeftRightOff], &[SpheresMisplaced]),
     (&[LeftRightSwapped], &[SpheresMisplaced, SpheresNotCompared]),
     (&[OddPlace, OddRadius, SpheresMisplaced], &[UnevenBottoms]),

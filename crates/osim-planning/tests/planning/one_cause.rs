@@ -87,6 +87,12 @@ fn a_force_that_is_pasted_twice_is_said_once() {
     assert_eq!(severe_codes(&found), [FindingCode::SphereInTwoForces], "{:?}", found.findings);
 }
 
+#[test]
+fn a_dynamic_friction_that_is_too_large_is_said_once() {
+    let found = check_text(&HUMAN.replace("<dynamic_friction>0.8<", "<dynamic_friction>3<"));
+    assert_eq!(severe_codes(&found), [FindingCode::LargeFriction], "{:?}", found.findings);
+}
+
 /// The difference of the sides has the command, so the number on the odd side is said once.
 #[test]
 fn a_number_of_one_side_is_said_with_its_command() {
