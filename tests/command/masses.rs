@@ -181,6 +181,13 @@ fn a_reference_whose_spheres_do_not_fit_its_own_bones_is_refused_whatever_its_ma
 }
 
 #[test]
+fn a_note_and_bodies_that_agree_are_one_finding() {
+    let dir = TestDir::with(&[("check/noted.osim", "model.osim")]);
+    let run = dir.run("check model.osim --contacts-mass 80").succeeded();
+    run.says(&["1 warning", "the note in the file says 61.5 kg"]);
+}
+
+#[test]
 fn contacts_for_another_gravity_have_one_finding() {
     let dir = TestDir::with_human();
     let set = ["set it in OpenSim"];

@@ -214,6 +214,10 @@ impl MassRequest {
         // The caller says what the model will weigh, and the contacts are for that.
         let is_for_scaled_bodies = taken.source.is_about_contacts()
             && self.model_kg.is_some_and(|kg| are_equal_masses(kg, taken.kg));
+        if !is_for_scaled_bodies {
+            // Sources that agree are one doubt.
+            others.dedup_by(|other, first| are_equal_masses(other.0, first.0));
+        }
         let finding = |(kg, source): (f64, Phrase)| {
             if is_for_scaled_bodies && noted_kg != Some(kg) {
                 return rules::bodies_not_scaled(kg, taken.kg);
