@@ -98,7 +98,7 @@ fn fix_does_what_check_prints_and_ends_with_the_status_of_the_result() {
     dir.run(fix)
         .succeeded()
         .wrote(&["results/subject01.osim", "results/subject02.osim"])
-        .says(&["2 of 2 models corrected and written into results"]);
+        .says(&["2 of 2 models changed and written into results"]);
     // A second time it is one line, as in other runs.
     let refused = dir.run(fix).usage_error().wrote_nothing();
     assert_eq!(refused.err().lines().count(), 1, "{}", refused.err());
@@ -119,7 +119,7 @@ fn fix_without_a_command_or_with_a_wrong_call_writes_nothing() {
     several.says(&["-o names one file", "name a folder with -d DIR"]);
     dir.run("check good.osim human.osim --fix -d new")
         .succeeded()
-        .says(&["0 of 2 models corrected and written"]);
+        .says(&["0 of 2 models changed and written"]);
     let text = dir.text("scaled.osim");
     dir.run("check scaled.osim --from generic.osim --fix --in-place").succeeded();
     assert!(dir.text("scaled.osim") != text && dir.text("scaled.osim.bak") == text);

@@ -363,7 +363,7 @@ impl LibraryTable {
         if self.call.fix {
             let folder = self.call.output_dir.as_ref().map(|folder| format!(" into {}", folder.display()));
             let (written, all) = (self.written, counted(self.counts.len(), "model"));
-            let line = format!("{written} of {all} corrected and written{}", folder.unwrap_or_default());
+            let line = format!("{written} of {all} changed and written{}", folder.unwrap_or_default());
             text.push_str(&layout.wrapped(&line, "  "));
         }
         text.push_str(&layout.wrapped(&self.unchecked_in_words(), "  "));
