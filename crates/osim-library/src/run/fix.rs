@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use osim_inspect::CheckResult;
+use osim_inspect::{CheckResult, Counts};
 use osim_model::FileId;
 use osim_model::files::{Failure, ModelFiles, OpenModel};
 use osim_model::messages::{Input, counted, phrase};
@@ -86,7 +86,7 @@ impl ModelToFix<'_> {
         let files = PreparedFiles::new(task, self.opened, self.origin, &results, mode);
         let written = files.and_then(|files| files.commit(&results)).map_err(refused)?;
         let steps = counted(self.checked.steps.len(), "command");
-        let before = self.checked.counts.only_worst().describe("no finding");
+        let before = Counts { remark: 0, ..self.checked.counts }.describe("no finding");
         Ok((judged, format!("{}; before: {before}; {steps} done", written.describe())))
     }
 }
