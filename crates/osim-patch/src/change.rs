@@ -2,7 +2,7 @@
 //! A number that is not finite never becomes text.
 
 use contact_scaling::Ratios;
-use osim_model::messages::{Input, readable, shortest};
+use osim_model::messages::{Input, four_significant, readable, shortest};
 use osim_model::{
     DissipationBy, Fault, FaultKind, FileId, GravityFor, MissingFact, Property, Result, Slot, ValueKey,
 };
@@ -291,7 +291,7 @@ impl GravityChange {
         match now {
             Some(now) if now.is_finite() && now > 0.0 => {
                 let ratio = target / now;
-                let [from, to, factor] = [now, target, ratio].map(readable);
+                let ([from, to], factor) = ([now, target].map(readable), four_significant(ratio));
                 Ok(Self { ratio, words: format!("; gravity {from} -> {to} m/s2 (x{factor})") })
             }
             _ => Err(Fault::new(MissingFact::Gravity { purpose: now_for })),
