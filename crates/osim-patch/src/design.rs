@@ -5,7 +5,7 @@ use contact_scaling::{
     Contact, ContactValues, DomainError, Law, Ratios, SharedLoad, SmoothingValues, Spheres,
     design as dimensioned, equilibrium, modulus, patch, restitution, smoothing,
 };
-use osim_model::messages::{Phrase, counted, phrase, readable};
+use osim_model::messages::{Phrase, counted, four_significant, phrase, readable};
 use osim_model::{
     DissipationBy, Fault, Force, ForceKind, GravityFor, Mass, MissingFact, Model, Note, Property,
     PropertySet, RadiusRule, Result, Selected, SetId, are_equal_gravities, is_at_target, moving_spheres,
@@ -373,9 +373,8 @@ impl Design {
     fn describe(&self) -> Phrase {
         let mut parts: Vec<Phrase> = Vec::new();
         if let Some(load) = &self.load {
-            parts.push(
-                format!("{} N on {}", readable(load.load_n()), counted(load.sphere_count(), "sphere")).into(),
-            );
+            let spheres = counted(load.sphere_count(), "sphere");
+            parts.push(format!("{} N on {spheres}", four_significant(load.load_n())).into());
         }
         if let Some(mass) = &self.target_mass {
             let weighs = format!("model weighs {} kg (", readable(mass.kg));
