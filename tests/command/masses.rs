@@ -234,6 +234,8 @@ fn a_wrong_original_model_causes_an_error_with_the_reason() {
         let run = dir.run(&format!("check scaled.osim --from {itself}")).usage_error();
         run.says(&["scaled.osim is the model itself", "--from"]);
     }
+    let swapped = "transfer own.osim --from own_scaled.osim --follow-bodies";
+    dir.run(swapped).failed().wrote_nothing().says(&["the two are swapped", "--yes wrong-afterwards"]);
     // The spheres of another body.
     let other = dir.run("transfer scaled.osim --from known.osim --follow-bodies").failed().wrote_nothing();
     other.says(&["was it scaled from another one?"]);

@@ -5,7 +5,8 @@ use std::path::Path;
 
 use contact_scaling::Preset;
 use osim_inspect::{
-    ContactsOrigin, KnownContacts, LoadSharing, ReferenceState, Stance, find_misplaced_spheres,
+    ContactsOrigin, KnownContacts, LoadSharing, ReferenceState, Stance, are_feet_scaled,
+    find_misplaced_spheres,
 };
 use osim_model::compare::ScaleFile;
 use osim_model::files::{Failure, Files, OpenModel};
@@ -41,6 +42,8 @@ pub(super) struct GenericModel {
     standing: BTreeSet<String>,
     /// The lengths of its bones.
     pub(super) bones: BoneLengths,
+    /// Whether the meshes of its feet are scaled, if they have meshes.
+    pub(super) has_scaled_feet: Option<bool>,
 }
 
 impl GenericModel {
@@ -52,6 +55,7 @@ impl GenericModel {
             sphere_count: self.sphere_count.clone(),
             standing: names_of_standing_spheres(model),
             bones: self.bones.clone(),
+            has_scaled_feet: None,
         }
     }
 
@@ -130,7 +134,9 @@ pub(super) fn reference_of_opened(
         request.follow.body_scale_file.as_deref().map(|path| read_scale_file(path, files)).transpose()?;
     let standing = names_of_standing_spheres(&open.model);
     let bones = open.model.joint_distances().clone();
-    Ok((reference, state, Some(GenericModel { anatomy, file, sphere_count, standing, bones })))
+    let has_scaled_feet = are_feet_scaled(&open.model);
+    let generic = GenericModel { anatomy, file, sphere_count, standing, bones, has_scaled_feet };
+    Ok((reference, state, Some(generic)))
 }
 
 /// The reference under the weight that its contacts are made for, for comparisons.

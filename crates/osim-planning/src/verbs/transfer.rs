@@ -3,16 +3,18 @@
 use std::path::Path;
 
 use contact_scaling::Ratios;
-use osim_inspect::LoadSharing;
+use osim_inspect::{LoadSharing, are_feet_scaled};
 use osim_model::compare::{Factors, Follow, FollowRequest, OwnRadii, SpherePlacements};
 use osim_model::files::{Failure, Files};
-use osim_model::messages::{Input, Phrase, Verb, phrase};
+use osim_model::messages::{Input, Verb, phrase};
 use osim_model::{
     Anatomy, CountedSpheres, Fault, GravityFor, LevelAxis, MassRequest, MissingFact, Model, Property,
-    RadiusRule, Selected, Selection, implausible_mass, moving_spheres,
+    RadiusRule, Selected, Selection, Suspicion, YesQuestion, implausible_mass, moving_spheres,
 };
 use osim_patch::{OPERATION_FOLLOWING_BODIES, Plan, Reference, ScalingRule, Transfer, transfer};
-use osim_requests::options::{CountOptions, FollowOptions, InspectionOptions, RuleChoice, ScalingOptions};
+use osim_requests::options::{
+    AnswerOptions, CountOptions, FollowOptions, InspectionOptions, RuleChoice, ScalingOptions,
+};
 use osim_requests::{Acceleration, Kilograms, Positive, Radius, RequestFault, Result, TransferRequest};
 
 use super::reference::{
@@ -104,6 +106,7 @@ pub(super) fn planner(
         has_reference_gravity: gravity.is_some(),
         generic: generic.filter(|_| follows),
         original: None,
+        answers: request.answers,
         keeps_bottoms: false,
         may_repeat: request.output.may_repeat(),
     }
@@ -190,16 +193,9 @@ fn refuse_senseless_radii(request: &TransferRequest) -> Result<(), RequestFault>
     Ok(())
 }
 
-/// The remark that the spheres of `model` are where the `original` has them, although its bodies have another size.
-fn remark_on_left_behind(model: &Model, original: &Anatomy) -> Option<Phrase> {
-    let placement = SpherePlacements::compare(model, Path::new(""), None, original, None, None);
-    let text = || {
-        phrase![
-            "the spheres are where the reference has them, and the bones have another size: if this model was scaled             from the reference, move the spheres with {} and {}";
-            Input::FollowBodies, Input::Level
-        ]
-    };
-    placement.was_left_behind().then(text)
+/// Whether spheres of `model` are where the `original` has them, although its bodies have another size.
+fn are_left_behind(model: &Model, original: &Anatomy) -> bool {
+    SpherePlacements::compare(model, Path::new(""), None, original, None, None).was_left_behind()
 }
 
 /// Plans the contacts of a reference, scaled to the size of the model.
@@ -219,6 +215,7 @@ pub(super) struct TransferPlanner {
     pub(super) generic: Option<GenericModel>,
     /// The skeleton of the reference, if it is a file.
     original: Option<Anatomy>,
+    answers: AnswerOptions,
     /// Whether the lowest points of round spheres stay on the scaled soles although the caller did not ask for it.
     keeps_bottoms: bool,
     pub(super) may_repeat: bool,
@@ -244,6 +241,17 @@ impl TransferPlanner {
         reference: &Reference,
         generic: Option<&GenericModel>,
     ) -> Result<Plan, Fault> {
+        let was_scaled = |generic: &GenericModel| {
+            generic.has_scaled_feet == Some(true) && are_feet_scaled(model) == Some(false)
+        };
+        let original = self.original.as_ref().filter(|_| generic.is_none_or(was_scaled));
+        let stayed = original.is_some_and(|original| are_left_behind(model, original));
+        if stayed && generic.is_some() {
+            let text =
+                "the bones of the reference are scaled, and those of this model are not: the two are swapped";
+            let doubt = Suspicion::Other { question: YesQuestion::WrongAfterwards, text: text.into() };
+            self.answers.require_yes(Some(doubt)).map_err(Fault::new)?;
+        }
         let (follow, mut findings, mut remarks) = match generic {
             Some(generic) => {
                 let (follow, factors) = self.followed_spheres(model, selected, reference, generic)?;
@@ -281,8 +289,13 @@ impl TransferPlanner {
         plan.remarks.append(&mut remarks);
         let forces = generic.is_none().then_some(selected.forces.as_slice());
         plan.remarks.extend(remark_on_limbs(&self.counts, model, forces));
-        let original = self.original.as_ref().filter(|_| generic.is_none());
-        plan.remarks.extend(original.and_then(|original| remark_on_left_behind(model, original)));
+        if stayed && generic.is_none() {
+            plan.remarks.push(phrase![
+                "the spheres are where the reference has them, and the bones have another size: if this model was \
+                scaled from the reference, move the spheres with {} and {}";
+                Input::FollowBodies, Input::Level
+            ]);
+        }
         Ok(plan)
     }
 
