@@ -3,8 +3,8 @@
 use std::collections::{HashMap, HashSet};
 
 use osim_inspect::{
-    Bottom, FindingIndex, FindingWithRemedy, InspectOptions, LoadSharing, ReferenceState, SphereFigures,
-    Stance, StandingBody, all_findings, check_without_remedies, describe_unmatched_patterns, sort_findings,
+    Bottom, FindingIndex, FindingWithRemedy, InspectOptions, LoadSharing, SphereFigures, Stance,
+    StandingBody, all_findings, check_without_remedies, describe_unmatched_patterns, sort_findings,
     without_effects,
 };
 use osim_model::feet::{MOST_LEAN_RAD, PoseFault, Standing};
@@ -120,11 +120,8 @@ impl PreparedChange {
         // Where lower spheres carry the body alone, the change is wrong only if it moved bottoms apart, or if spheres of the reference do
         // not sink in: else they hung lower before.
         let has_parted = !moved.uneven.is_empty();
-        let is_right = |reference: &ReferenceState| {
-            reference.digest.is_some()
-                && reference.findings.iter().all(|one| one.code() != FindingCode::SunkIn)
-        };
-        let is_reference_right = self.reference.as_ref().is_some_and(is_right);
+        let is_file = self.reference.as_ref().is_some_and(|reference| reference.digest.is_some());
+        let is_reference_right = is_file && reference.iter().all(|one| one.code() != FindingCode::SunkIn);
         let mut figures = inspected.iter().flat_map(|inspected| inspected.figures.spheres());
         let is_too_soft = figures.any(SphereFigures::is_in_to_centre);
         let is_wrong = |one: &&Finding| {
