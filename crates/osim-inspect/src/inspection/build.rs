@@ -15,7 +15,7 @@ use osim_model::{
 };
 
 use crate::inspection::inspected::names_of_spheres;
-use crate::inspection::standing::{RestsToCompute, StandingBody};
+use crate::inspection::standing::{InspectedFor, StandingBody};
 use crate::real_feet::spheres_under_heels;
 use crate::rules::{contacts, model_findings};
 use crate::{
@@ -28,22 +28,22 @@ impl InspectOptions {
     /// Inspects a model. This never fails: a value that is not known is `None`. `name` is the name of the file.
     pub fn inspect(&self, name: impl Into<FileName>, model: &Model, factors: Option<&Factors>) -> Inspection {
         let (note, heel_spheres) = (NoteSummary::of(model), spheres_under_heels(model));
-        Inspection { note, heel_spheres, ..self.inspect_with(name, model, factors, RestsToCompute::All) }
+        Inspection { note, heel_spheres, ..self.inspect_with(name, model, factors, InspectedFor::Readers) }
     }
 
-    /// Inspects a model for the rules only: without the summary of the note and the spheres under heels, and without the equilibrium of
-    /// bodies that stand as they should.
+    /// Inspects a model for the rules only: without what no rule needs, such as the summary of the note, the bodies, the parameters of
+    /// forces, and the equilibrium of bodies that stand as they should.
     pub fn inspect_for_rules(&self, name: impl Into<FileName>, model: &Model) -> Inspection {
-        self.inspect_with(name, model, None, RestsToCompute::OfOddBodies)
+        self.inspect_with(name, model, None, InspectedFor::Rules)
     }
 
-    /// Inspects a model; `rests` says for which bodies the equilibrium is computed.
+    /// Inspects a model.
     fn inspect_with(
         &self,
         name: impl Into<FileName>,
         model: &Model,
         factors: Option<&Factors>,
-        rests: RestsToCompute,
+        inspected_for: InspectedFor,
     ) -> Inspection {
         let mut findings = model_findings(model).to_vec();
         let mass = self.masses.model_mass(model);
@@ -79,9 +79,13 @@ impl InspectOptions {
         let chosen = if no_choice.is_some() { model.force_ids() } else { sharing.forces.to_vec() };
         let standing = Standing::all(model, &chosen);
         let trees = standing.as_deref().unwrap_or_default();
+        let is_for_readers = inspected_for == InspectedFor::Readers;
         let figures = Figures::compute(model, &selected, &sharing, weight, &self.stance, trees);
-        let bodies = StandingBody::with_rests(model, trees, &sharing.limbs, stance_limbs, rests);
-        let contacts = contacts_of_sets(model, &selected, contacts_mass.as_ref(), count);
+        let standing_bodies =
+            StandingBody::with_rests(model, trees, &sharing.limbs, stance_limbs, inspected_for);
+        let contacts =
+            is_for_readers.then(|| contacts_of_sets(model, &selected, contacts_mass.as_ref(), count));
+        let bodies = if is_for_readers { model.bodies() } else { &[] };
         let (name, model_bytes) = Into::<FileName>::into(name).into_parts();
         let limbs = &sharing.limbs;
         let inspected_limbs =
@@ -103,9 +107,9 @@ impl InspectOptions {
             spheres_per_limb: limbs.spheres_per_limb().ok(),
             limbs_unknown: limbs.spheres_per_limb().err(),
             spheres: inspected_spheres(model, limbs),
-            forces: inspected_forces(model, &selected, &contacts),
+            forces: inspected_forces(model, &selected, contacts.as_ref()),
             findings,
-            bodies: model.bodies().iter().map(InspectedBody::from).collect(),
+            bodies: bodies.iter().map(InspectedBody::from).collect(),
             body_factors: factors.map(|factors| factors.bodies.iter().map(InspectedFactors::from).collect()),
             known_contacts,
             placement: None,
@@ -113,7 +117,7 @@ impl InspectOptions {
             reference_contacts: None,
             figures: figures.unwrap_or_else(|fault| Figures::absent(fault.phrase())),
             heel_spheres: Vec::new(),
-            standing: bodies,
+            standing: standing_bodies,
             why_no_standing: standing.err().map(|fault| fault.to_string()),
         }
     }
@@ -167,13 +171,19 @@ fn inspected_spheres(model: &Model, limbs: &Limbs) -> Vec<InspectedSphere> {
     model.spheres().iter().map(|sphere| InspectedSphere::from((model, sphere, limb_of(sphere.id)))).collect()
 }
 
-fn inspected_forces(model: &Model, selected: &Selected, contacts: &ContactsOfSets) -> Vec<InspectedForce> {
+/// The forces of a model; without their parameters if `contacts` is `None`.
+fn inspected_forces(
+    model: &Model,
+    selected: &Selected,
+    contacts: Option<&ContactsOfSets>,
+) -> Vec<InspectedForce> {
     let mut inspected = Vec::new();
     let selected: HashSet<ForceId> = selected.forces.iter().copied().collect();
     for force in model.forces() {
         for set in &force.sets {
-            let contact = contacts.get(&(force.id, set.id));
-            let parameters = parameters_of_set(force, set.id, |value| value.number);
+            let contact = contacts.and_then(|contacts| contacts.get(&(force.id, set.id)));
+            let id = contacts.map(|_| set.id);
+            let parameters = parameters_of_set(force, id, |value| value.number);
             let modulus_of_stiffness = || {
                 let stiffness = parameters.get(Property::Stiffness.as_str())?;
                 Some(stiffness / SURFACE_OVER_COMPOSITE_MODULUS).filter(|modulus| modulus.is_finite())
@@ -190,7 +200,7 @@ fn inspected_forces(model: &Model, selected: &Selected, contacts: &ContactsOfSet
                     .map(|contact| contact.composite_modulus_n_m2)
                     .or_else(modulus_of_stiffness),
                 parameters,
-                origin: parameters_of_set(force, set.id, |value| value.origin.as_str()),
+                origin: parameters_of_set(force, id, |value| value.origin.as_str()),
                 dimensionless: contact.and_then(|contact| Dimensionless::of(contact.dimensionless.as_ref()?)),
                 position: set.position,
             });
@@ -200,7 +210,11 @@ fn inspected_forces(model: &Model, selected: &Selected, contacts: &ContactsOfSet
 }
 
 /// A `part` of each property of a parameter set, such as its number, by OpenSim's name of the property.
-fn parameters_of_set<T>(force: &Force, set: SetId, part: impl Fn(&Value) -> T) -> BTreeMap<&'static str, T> {
-    let properties = Property::changeable();
-    properties.filter_map(|property| Some((property.as_str(), part(force.value(set, property)?)))).collect()
+fn parameters_of_set<T>(
+    force: &Force,
+    set: Option<SetId>,
+    part: impl Fn(&Value) -> T,
+) -> BTreeMap<&'static str, T> {
+    let properties = set.into_iter().flat_map(|set| Property::changeable().map(move |one| (set, one)));
+    properties.filter_map(|(set, one)| Some((one.as_str(), part(force.value(set, one)?)))).collect()
 }

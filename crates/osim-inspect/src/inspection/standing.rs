@@ -21,12 +21,14 @@ const GAP_ABOVE_FLOOR_M: f64 = 0.020;
 /// A body stands if it is at most this far below the height at which its spheres carry it, in radii of its lowest sphere.
 const STANDING_DEPTH_RADII: f64 = 0.1;
 
-/// The bodies whose equilibrium on the floor is computed. This takes as long as reading the spheres of the bodies.
+/// Whom a model is inspected for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum RestsToCompute {
-    All,
-    /// Bodies that may be inside their floor or above it, and no others; with the weight on all feet.
-    OfOddBodies,
+pub(super) enum InspectedFor {
+    /// People and scripts: with all that is known.
+    Readers,
+    /// The rules: without what no rule needs. The equilibrium is computed only of bodies that may be inside their floor or above it, with
+    /// the weight on all feet.
+    Rules,
 }
 
 /// A joint tree over its floor at the default pose.
@@ -144,16 +146,16 @@ impl BodyAtRest {
 impl StandingBody {
     /// Summaries of all joint trees in `standing`. `limbs` are the limbs of the model, and `stance_limbs` of them share the weight.
     pub fn all(model: &Model, standing: &[Standing], limbs: &Limbs, stance_limbs: f64) -> Vec<Self> {
-        Self::with_rests(model, standing, limbs, stance_limbs, RestsToCompute::All)
+        Self::with_rests(model, standing, limbs, stance_limbs, InspectedFor::Readers)
     }
 
-    /// Summaries of all joint trees; `rests` says for which of them the equilibrium is computed.
+    /// Summaries of all joint trees, with the equilibria that are needed.
     pub(super) fn with_rests(
         model: &Model,
         standing: &[Standing],
         limbs: &Limbs,
         stance_limbs: f64,
-        rests: RestsToCompute,
+        inspected_for: InspectedFor,
     ) -> Vec<Self> {
         let share = 1.0 / stance_limbs;
         let limbs = limbs.if_known().unwrap_or_default();
@@ -161,8 +163,11 @@ impl StandingBody {
         let limb_of = places.flat_map(|(at, limb)| limb.spheres.iter().map(move |&sphere| (sphere, at)));
         let limb_of: HashMap<SphereId, usize> = limb_of.collect();
         let carrying_limb =
-            |tree| limbs.get(lowest_limb(tree, &limb_of)?).filter(|_| rests == RestsToCompute::All);
-        standing.iter().map(|tree| Self::new(model, tree, carrying_limb(tree), share, rests)).collect()
+            |tree| limbs.get(lowest_limb(tree, &limb_of)?).filter(|_| inspected_for == InspectedFor::Readers);
+        standing
+            .iter()
+            .map(|tree| Self::new(model, tree, carrying_limb(tree), share, inspected_for))
+            .collect()
     }
 
     /// Summarises one joint tree. `lowest_limb` is the index of the limb that can carry the tree alone.
@@ -171,7 +176,7 @@ impl StandingBody {
         standing: &Standing,
         lowest_limb: Option<&Limb>,
         share: f64,
-        rests: RestsToCompute,
+        inspected_for: InspectedFor,
     ) -> Self {
         let spheres: Vec<SphereId> = standing.spheres.iter().map(|over| over.sphere).collect();
         let rest = |chosen: &[SphereId], share, limb: Option<&Limb>| {
@@ -183,7 +188,7 @@ impl StandingBody {
         let bottoms: Vec<Bottom> = standing.spheres.iter().filter_map(bottom).collect();
         let is_off_floor =
             bottoms.iter().any(Bottom::is_inside) || lowest_bottom(&bottoms).is_some_and(Bottom::is_above);
-        let is_wanted = rests == RestsToCompute::All || is_off_floor;
+        let is_wanted = inspected_for == InspectedFor::Readers || is_off_floor;
         Self {
             body: standing.top.clone(),
             mass_kg: standing.mass_kg,
