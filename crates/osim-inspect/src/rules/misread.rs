@@ -1,6 +1,7 @@
 //! Rules about the texts of numbers and flags: how they are written, and the domains of numbers.
 
 use foldhash::{HashMap, HashMapExt};
+use indexmap::IndexMap;
 use osim_model::messages::three_significant;
 use osim_model::opensim_text::{self, plain_numbers};
 use osim_model::{
@@ -46,7 +47,7 @@ pub(super) fn apply_value_rules(model: &Model) -> Vec<Finding> {
 /// Finds texts of numbers and flags that OpenSim reads as other values than are written, or that are not finite. OpenSim silently takes its
 /// default if it cannot read a text.
 pub(super) fn find_misread_texts(model: &Model) -> Vec<Finding> {
-    let (mut found, mut kinds) = (Vec::new(), HashMap::<_, Vec<ChildKind<'_>>>::new());
+    let (mut found, mut kinds) = (Vec::new(), HashMap::<_, IndexMap<&str, ChildKind>>::new());
     let components = model.components();
     for (id, component) in components.tree.iter() {
         let tag = components.tag(id);
@@ -57,17 +58,21 @@ pub(super) fn find_misread_texts(model: &Model) -> Vec<Finding> {
         let tree = document.tree();
         tree.walk(component.element, |element| {
             let class = tree.name(element);
+            // Names of properties are in lower case. Only an object can have properties that are not written in it.
+            let is_object = class.starts_with(|letter: char| letter.is_ascii_uppercase());
+            if !is_object && tree.children(element).next().is_none() {
+                return true;
+            }
             let parent = tree.parent(element).filter(|_| element != component.element);
             // Other components are in these elements.
-            let is_component_list = match tag {
+            let is_component_list = || match tag {
                 "Model" => class != "ControllerSet",
                 _ => ["components", "frames", "Joint"].contains(&class),
             };
-            if parent == Some(component.element) && is_component_list {
+            if parent == Some(component.element) && is_component_list() {
                 return false;
             }
-            // Names of properties are in lower case. Of controllers, only functions are looked at.
-            let is_object = class.starts_with(|letter: char| letter.is_ascii_uppercase());
+            // Of controllers, only functions are looked at.
             let is_of_controller = tag == "Model" && parent.is_some();
             let is_looked_at = is_object && (!is_of_controller || PARTS_OF_AXIS.contains(&class));
             let all = if is_looked_at { written_properties(class) } else { &[] };
@@ -76,7 +81,7 @@ pub(super) fn find_misread_texts(model: &Model) -> Vec<Finding> {
             if all.is_empty() && parts.is_empty() {
                 return true;
             }
-            // Most objects of a class have the same children.
+            // Most objects of a class have the same children, in the same order.
             let kinds = kinds.entry((document.version(), class, parts.is_empty())).or_default();
             let kind_of = |name| {
                 let are_known_elsewhere =
@@ -85,20 +90,23 @@ pub(super) fn find_misread_texts(model: &Model) -> Vec<Finding> {
                 let old = document.version() <= LAST_VERSION_WITH_ONE_COORDINATE;
                 ChildKind::of(name, all, is_checked.then_some((parts, old)))
             };
-            let inherited = all.iter().flat_map(|(tags, ..)| tags.iter()).filter_map(|tag| {
+            let inherited_of = document.defaults_of(element).map_or(&[][..], |_| all);
+            let inherited = inherited_of.iter().flat_map(|(tags, ..)| tags.iter()).filter_map(|tag| {
                 document.inherited_element(element, tag).filter(|_| tree.child(element, tag).is_none())
             });
             for (at, of_text) in tree.children(element).chain(inherited).enumerate() {
                 let property = tree.name(of_text);
-                if kinds.get(at).is_none_or(|kind| kind.name != property) {
-                    let is_repeated = kinds.iter().take(at).any(|before| before.name == property);
-                    let kind = ChildKind { is_repeated, ..kind_of(property) };
-                    match kinds.get_mut(at) {
-                        Some(known) => *known = kind,
-                        None => kinds.push(kind),
+                let index = match kinds.get_index(at) {
+                    Some((known, _)) if *known == property => at,
+                    _ => {
+                        let entry = kinds.entry(property);
+                        let index = entry.index();
+                        entry.or_insert_with(|| kind_of(property));
+                        index
                     }
-                }
-                let Some(kind) = kinds.get(at) else { continue };
+                };
+                let Some((_, kind)) = kinds.get_index_mut(index) else { continue };
+                let is_repeated = kind.last_object.replace(element) == Some(element);
                 let meant = kind.meant.filter(|_| tree.parent(of_text) == Some(element));
                 found.extend(
                     meant.and_then(|meant| find_unknown_name(model, component.file, element, of_text, meant)),
@@ -115,7 +123,7 @@ pub(super) fn find_misread_texts(model: &Model) -> Vec<Finding> {
                     differs.then(|| (&ODD_NUMBER, "is written twice, and OpenSim reads the first".to_owned()))
                 };
                 let fault = misread.filter(|_| first().is_none());
-                if let Some((rule, text)) = fault.or_else(|| kind.is_repeated.then(unread).flatten()) {
+                if let Some((rule, text)) = fault.or_else(|| is_repeated.then(unread).flatten()) {
                     let whole = if tag == "Model" { String::new() } else { components.tree.path(id) };
                     let path = path_of_part(document, whole, component.element, element);
                     let of = if path.is_empty() { "the model" } else { &path };
@@ -131,21 +139,20 @@ pub(super) fn find_misread_texts(model: &Model) -> Vec<Finding> {
 }
 
 /// What an element is, by its name and the class of the object that it is in.
-struct ChildKind<'t> {
-    name: &'t str,
+struct ChildKind {
     /// How its text is read, and the default; `None` if it is not a property whose text is looked at.
     form: Option<(TextForm, Option<&'static str>)>,
     /// The name that was probably meant by its name.
     meant: Option<&'static str>,
-    /// Whether the object has an element of this name before.
-    is_repeated: bool,
+    /// The last object in which an element of this name was seen.
+    last_object: Option<ElementId>,
 }
 
-impl<'t> ChildKind<'t> {
+impl ChildKind {
     /// The kind of an element `name` in an object with these properties. `parts` are the other elements that the object can have, and whether
     /// `coordinate` is one of them; `None` if its names are not looked at.
     fn of(
-        name: &'t str,
+        name: &str,
         properties: &'static [WrittenProperties],
         parts: Option<(&'static [&'static str], bool)>,
     ) -> Self {
@@ -155,14 +162,14 @@ impl<'t> ChildKind<'t> {
             let known = parts.iter().chain(numbers).copied().chain(old.then_some("coordinate"));
             probable_property_name(name, &known.collect::<Vec<_>>())
         });
-        Self { name, form: written.map(|&(_, form, default)| (form, default)), meant, is_repeated: false }
+        Self { form: written.map(|&(_, form, default)| (form, default)), meant, last_object: None }
     }
 }
 
 /// Whether poses, masses or contact forces depend on components of the class `tag`.
 fn is_read(tag: &str) -> bool {
     // Parameters are read with their force.
-    tag == "Ground" || (!tag.contains("::") && !written_properties(tag).is_empty())
+    tag == "Ground" || (!written_properties(tag).is_empty() && !tag.contains("::"))
 }
 
 /// The path of `part`, which is `whole` or an object inside it, from the path of `whole`.
@@ -263,15 +270,17 @@ const MOST_LETTERS_OF_FINITE: usize = 300;
 impl TextForm {
     /// Whether a text is the right count of numbers without exponents, which OpenSim reads as they look. Most texts are.
     fn has_decimals_alone(self, text: &str) -> bool {
+        let (Numbers(count) | OldNumbers(Some(count))) = self else { return false };
         let is_decimal = |word: &str| {
-            let digits = word.strip_prefix('-').unwrap_or(word).as_bytes();
-            let points = digits.iter().filter(|&&letter| letter == b'.').count();
-            let others = digits.iter().any(|letter| !letter.is_ascii_digit() && *letter != b'.');
-            !others && points < digits.len().min(2) && digits.len() <= MOST_LETTERS_OF_FINITE
+            let letters = word.strip_prefix('-').unwrap_or(word).as_bytes();
+            let digits = letters.iter().filter(|letter| letter.is_ascii_digit()).count();
+            let others = letters.len() - digits;
+            let is_plain = others == 0 || (others == 1 && letters.contains(&b'.'));
+            is_plain && digits > 0 && letters.len() <= MOST_LETTERS_OF_FINITE
         };
         let mut words = 0;
         let mut are_decimal = || opensim_text::list_words(text).inspect(|_| words += 1).all(is_decimal);
-        matches!(self, Numbers(count) if are_decimal() && words == count)
+        are_decimal() && words == count
     }
 
     /// The numbers of a text, none if it is a flag; `None` if a person and OpenSim do not read the text alike.

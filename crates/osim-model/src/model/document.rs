@@ -216,7 +216,7 @@ impl Document {
     }
 
     /// The object in `<defaults>` that has the class of `object`, if there is one.
-    pub(crate) fn defaults_of(&self, object: ElementId) -> Option<ElementId> {
+    pub fn defaults_of(&self, object: ElementId) -> Option<ElementId> {
         self.by_class.get(self.tree.name(object)).map(|default| default.element)
     }
 
