@@ -265,8 +265,11 @@ fn find_unknown_classes(model: &Model) -> Vec<Finding> {
     let finding = |(file, element)| {
         let tree = components.document(file).tree();
         let class = tree.name(element);
-        let near =
-            || probable_property_name(class, component_classes()).or_else(|| shortened_contact_class(class));
+        let near = || {
+            let is_known = component_classes().binary_search(&class).is_ok();
+            let near = || probable_property_name(class, component_classes());
+            (!is_known).then(|| near().or_else(|| shortened_contact_class(class))).flatten()
+        };
         let meant = (*known.entry(class).or_insert_with(near))?;
         Some(finding_about_unknown_name(model, file, element, element, meant))
     };
@@ -278,8 +281,8 @@ fn shortened_contact_class(class: &str) -> Option<&'static str> {
     /// Fewer letters do not say which class is meant.
     const FEWEST_LETTERS: usize = 10;
     let mut all = FORCE_CLASSES.into_iter().chain([PARAMETERS_TAG, FOUNDATION_TAG]);
-    let is_known = component_classes().binary_search(&class).is_ok() || class.len() < FEWEST_LETTERS;
-    all.find(|whole| !is_known && *whole != class && (whole.starts_with(class) || whole.ends_with(class)))
+    let is_part = |whole: &str| whole != class && (whole.starts_with(class) || whole.ends_with(class));
+    all.find(|whole| class.len() >= FEWEST_LETTERS && is_part(whole))
 }
 
 /// The finding about the name of `element`, which is in the component at `owner` or is that component.

@@ -1,6 +1,7 @@
 //! Names of objects: names that OpenSim accepts, patterns of names, misspelled names, and the side of the body in a name.
 
 use std::borrow::Cow;
+use std::cell::LazyCell;
 use std::fmt;
 use std::str::FromStr;
 
@@ -148,7 +149,7 @@ pub fn nearest_names<'n>(
         let ascii = name.bytes().filter(u8::is_ascii_alphanumeric);
         ascii.fold(0_u32, |all, letter| all | (1_u32 << (letter % 32)))
     };
-    let (own_letters, written) = (letters(written), flat(written));
+    let (own_letters, written) = (letters(written), LazyCell::new(|| flat(written)));
     let wrong_letters = |name: &'n str| {
         // Each wrong letter changes at most two of the letters that a name has. Most names differ in more; the distance takes much longer.
         let differing = (own_letters ^ letters(name)).count_ones() as usize;
