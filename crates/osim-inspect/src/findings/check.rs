@@ -66,8 +66,9 @@ fn collect_findings(
 ) -> Vec<FindingWithRemedy> {
     use FindingCode::*;
     let shares_a_modulus = |finding: &Finding| matches!(finding.code(), MixedRadii | SeveralParameterSets);
-    let chosen = options.selection.apply(model).map(|selected| selected.forces).unwrap_or_default();
-    let one_modulus = model.remarks_on(&chosen).iter().any(shares_a_modulus);
+    let selected = options.selection.apply(model);
+    let chosen = selected.as_ref().map_or(&[][..], |selected| &selected.forces);
+    let one_modulus = model.remarks_on(chosen).iter().any(shares_a_modulus);
     let mut remedies = Remedies::new(inspected, one_modulus, changeable, options);
     // A command that makes contacts right for what is wrong elsewhere would hide the fault.
     let has_finding = |code| model_findings(model).iter().any(|finding| finding.code() == code);
@@ -128,11 +129,11 @@ fn collect_findings(
         let needs_depth = |code| matches!(code, SunkIn | BeyondHertz | Floats | ForceBeforeContact);
         findings.iter_mut().filter(|one| needs_depth(one.code())).for_each(|one| one.remedy = None);
     }
-    if options.selection.apply(model).is_err_and(|fault| matches!(fault.kind, FaultKind::NoContacts { .. })) {
+    if selected.as_ref().is_err_and(|fault| matches!(fault.kind, FaultKind::NoContacts { .. })) {
         // A model without contacts needs neither a number of spheres nor a mass.
         findings.retain(|one| !matches!(one.code(), CountUnknown | MassUnknown));
     }
-    if let Some(bare) = contacts::find_bare_model(options, model) {
+    if let Some(bare) = selected.as_ref().err().and_then(|fault| contacts::find_bare_model(fault, model)) {
         let causes = [IgnoredContacts, FootSphereOnGround];
         findings.extend((!causes.into_iter().any(has_finding)).then(|| bare.into()));
     }
@@ -152,7 +153,7 @@ fn collect_findings(
     for remedy in findings.iter_mut().filter_map(|finding| finding.remedy.as_mut()) {
         confirm_suspicions(remedy, model, &options.masses);
     }
-    with_published_severities(model, &chosen, inspected, findings)
+    with_published_severities(model, chosen, inspected, findings)
 }
 
 /// Whether `findings` have the code of `one` for all its spheres, as severely.

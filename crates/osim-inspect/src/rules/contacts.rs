@@ -11,7 +11,7 @@ use osim_requests::{Kilograms, Request, RescaleRequest};
 
 use crate::findings::{FindingWithRemedy, Remedies, rounded_mass};
 use crate::rules::spheres::finding_about_spheres;
-use crate::{InspectOptions, Inspection, KnownContacts};
+use crate::{Inspection, KnownContacts};
 use osim_model::rule;
 
 rule! { pub(crate) BARE_MODEL: BareModel, Remark;
@@ -23,8 +23,7 @@ rule! { pub(crate) BARE_MODEL: BareModel, Remark;
 }
 
 /// Finds a model that has no contacts which can be chosen.
-pub(crate) fn find_bare_model(options: &InspectOptions, model: &Model) -> Option<Finding> {
-    let fault = options.selection.apply(model).err()?;
+pub(crate) fn find_bare_model(fault: &Fault, model: &Model) -> Option<Finding> {
     // Contacts of another class have a finding of their own.
     let is_bare = matches!(fault.kind, FaultKind::NoContacts { replaces: false, .. });
     is_bare.then(|| {

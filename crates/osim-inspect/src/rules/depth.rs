@@ -1,6 +1,8 @@
 //! Rules about spheres that sink too deep into the floor under the body: up to their centres, or so deep that the Hertz law is not
 //! accurate.
 
+use std::cell::LazyCell;
+
 use contact_scaling::limits::{INDENTATION, growth_to_indentation_limit};
 use osim_model::messages::{Input, Phrase, Verb, four_significant, phrase, readable};
 use osim_model::{Example, Finding, Repair, Rule, Severity, are_equal_masses, has_word};
@@ -28,10 +30,10 @@ pub(super) fn find_sunk_in_spheres(check: &FigureCheck<'_>) -> Option<FindingWit
 
 /// A remark on spheres that an equal share of the load would press in up to their centres, if stiffer ones carry the body.
 fn soft_beside_stiffer(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> {
-    let carries = can_carry(check);
+    let carries = LazyCell::new(|| can_carry(check));
     let affected = check.spheres_with(|sphere| {
         let x = sphere.value(Figure::Indentation);
-        x.filter(|&x| x > UP_TO_CENTRE_RADII + ROUNDING_RADII && carries(sphere))
+        x.filter(|&x| x > UP_TO_CENTRE_RADII + ROUNDING_RADII && (*carries)(sphere))
     })?;
     let x = four_significant(affected.largest);
     let text = format!(
@@ -60,9 +62,9 @@ fn can_carry(check: &FigureCheck<'_>) -> impl Fn(&SphereFigures) -> bool {
 
 /// Finds spheres that sink in up to their centres even if all bottoms are level.
 fn sunk_in_level(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> {
-    let carries = can_carry(check);
+    let carries = LazyCell::new(|| can_carry(check));
     let affected = check.spheres_with(|sphere| {
-        sphere.value(Figure::Indentation).filter(|_| sphere.is_in_to_centre() && carries(sphere))
+        sphere.value(Figure::Indentation).filter(|_| sphere.is_in_to_centre() && (*carries)(sphere))
     })?;
     let x = four_significant(affected.largest);
     let text = format!(
@@ -92,7 +94,8 @@ fn advice_if_made_for_this_body(check: &FigureCheck<'_>) -> Option<Phrase> {
 /// Finds limbs whose lower spheres alone carry the weight that all spheres should carry. The contacts are not too soft. The finding is a
 /// remark if the foot leans, because then the pose decides which spheres are low.
 fn sunk_in_at_own_heights(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> {
-    let (bottoms, carries) = (bottoms_by_path(check), can_carry(check));
+    let carries = LazyCell::new(|| can_carry(check));
+    let bottoms = LazyCell::new(|| bottoms_by_path(check));
     let limb_leans = |sphere: &SphereFigures| {
         let mut limbs = check.inspected.figures.limbs.iter();
         let limb = limbs.find(|limb| limb.spheres.iter().any(|one| one.path == sphere.path));
@@ -101,7 +104,7 @@ fn sunk_in_at_own_heights(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> 
     let too_deep = |leans: bool| {
         check.spheres_with(|sphere| {
             let x = sphere.value(Figure::StandingIndentationModelLaw);
-            x.filter(|&x| x >= UP_TO_CENTRE_RADII && carries(sphere) && limb_leans(sphere) == leans)
+            x.filter(|&x| x >= UP_TO_CENTRE_RADII && (*carries)(sphere) && limb_leans(sphere) == leans)
         })
     };
     if let Some(affected) = too_deep(true).filter(|_| too_deep(false).is_none()) {
