@@ -143,6 +143,10 @@ fn growth_of_bone(bones: &BodyBones, body: &str, published: [f64; 3]) -> Option<
 /// The title of a published layout whose mirror image the spheres of `model` are: each foot has the places of the other foot. `None` if the
 /// spheres are also at the published places, because a layout can be symmetric.
 pub(crate) fn find_mirrored_layout(model: &Model, bones: &BodyBones) -> Option<&'static str> {
+    // What most models have is known without the mirror image.
+    if find_layout(model, bones).is_some() {
+        return None;
+    }
     let list = sphere_centres(model)?;
     *LayoutCache::of(model, &list).mirrored.get_or_init(|| match_mirrored_layout(list, bones))
 }
