@@ -111,6 +111,7 @@ pub(super) fn find_irregularities(model: &Model) -> Vec<Finding> {
 /// Finds names and paths of coordinates, in constraints, forces and path points, that no coordinate has: OpenSim refuses the model.
 pub(super) fn find_lost_coordinates(model: &Model) -> Vec<Finding> {
     const TAGS: [&str; 3] = ["coordinate", "dependent_coordinate_name", "independent_coordinate_names"];
+    const OWNERS: [&str; 3] = ["Actuator", "Force", "CouplerConstraint"];
     const NEED_COORDINATE: [&str; 2] = ["CoordinateActuator", "CoordinateLimitForce"];
     let (components, document) = (model.components(), model.document());
     let is_of_joint = |one: &Irregularity| matches!(one, Irregularity::LeadsNowhere { .. });
@@ -118,13 +119,16 @@ pub(super) fn find_lost_coordinates(model: &Model) -> Vec<Finding> {
     if !document.is_model() || model.irregularities.iter().any(is_of_joint) {
         return Vec::new();
     }
-    let all = || components.tree.iter().map(|(id, _)| id);
-    let written = all().filter(|&id| components.tag(id) == "Coordinate").map(|id| components.name(id));
     let read = model.joints().iter().flat_map(|joint| &joint.coordinates).map(|one| one.name.as_str().into());
-    let known: HashSet<_> = written.chain(read).collect();
-    let kinds = ["Actuator", "Force", "CouplerConstraint"];
-    let owners = all().filter(|&id| kinds.iter().any(|kind| components.tag(id).ends_with(kind)));
-    let lost = owners.flat_map(|id| {
+    let (mut known, mut owners): (HashSet<_>, _) = (read.collect(), Vec::new());
+    for (id, _) in components.tree.iter() {
+        match components.tag(id) {
+            "Coordinate" => drop(known.insert(components.name(id))),
+            tag if OWNERS.iter().any(|class| tag.ends_with(class)) => owners.push(id),
+            _ => {}
+        }
+    }
+    let lost = owners.into_iter().flat_map(|id| {
         let document = components.document_of(id);
         let (tree, element) = (document.tree(), components.element(id));
         let wrong = |child: ElementId| {
