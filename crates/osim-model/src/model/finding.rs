@@ -293,8 +293,8 @@ fn with_limits(text: &str) -> Phrase {
         ("{suggested_indentation}", limits::SUGGESTED_CONSTANT_INDENTATION),
         ("{suggested_width}", limits::SUGGESTED_TRANSITION_WIDTH),
     ];
-    let text =
-        named.iter().fold(text.to_owned(), |text, (name, value)| text.replace(name, &value.to_string()));
+    let used = named.iter().filter(|(name, _)| text.contains(name));
+    let text = used.fold(text.to_owned(), |text, (name, value)| text.replace(name, &value.to_string()));
     Phrase::template(text.trim_ascii())
 }
 
