@@ -135,7 +135,7 @@ impl Document {
             }
             Err(fault) => (fallback(), Some(fault)),
         };
-        let span = self.span_of_value(element);
+        let span = if raw.span.is_empty() { self.tree.span(element) } else { raw.span };
         let offset = span.start;
 
         // A blank that is not ASCII looks like one and does not count as one: show it.
@@ -313,10 +313,9 @@ fn version_and_data_root(tree: &Tree) -> Result<(u32, ElementId)> {
 ///
 /// Most models include no file; the test spares them a scan.
 pub(crate) fn may_include(bytes: &[u8]) -> bool {
-    memchr::memmem::find_iter(bytes, b"file").any(|at| {
-        let before = at.checked_sub(1).and_then(|at| bytes.get(at));
-        let after = bytes.get(at + 4..).unwrap_or_default().trim_ascii_start().first();
-        before.is_some_and(u8::is_ascii_whitespace) && after == Some(&b'=')
+    memchr::memchr_iter(b'=', bytes).any(|at| {
+        let name = bytes.get(..at).unwrap_or_default().trim_ascii_end();
+        name.strip_suffix(b"file").and_then(<[u8]>::last).is_some_and(u8::is_ascii_whitespace)
     })
 }
 

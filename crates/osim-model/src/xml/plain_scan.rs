@@ -101,8 +101,9 @@ impl PlainScan<'_> {
         }
         let (open, id) = (self.pieces.len() as u32, self.elements.len() as u32);
         let parent = self.open.last().copied().unwrap_or(0);
-        let (subtree_end, name_len) = (id + 1, name_len as u32);
-        self.elements.push(StoredElement { open, close: open, parent, subtree_end, name_len });
+        let (name_start, name_len) = (self.at as u32 + 1, name_len as u32);
+        let subtree_end = id + 1;
+        self.elements.push(StoredElement { open, close: open, parent, subtree_end, name_start, name_len });
         self.push(if empty { PieceKind::Empty } else { PieceKind::Open }, end + 1);
         if !empty {
             self.open.push(id);
@@ -115,8 +116,7 @@ impl PlainScan<'_> {
         let id = self.open.pop()? as usize;
         let (close, subtree_end) = (self.pieces.len() as u32, self.elements.len() as u32);
         let element = self.elements.get_mut(id)?;
-        let start = self.pieces.get(element.open as usize)?.start as usize + 1;
-        let name_len = element.name_len as usize;
+        let (start, name_len) = (element.name_start as usize, element.name_len as usize);
         (element.close, element.subtree_end) = (close, subtree_end);
         let (from, end) = (self.at + 2, self.at + 2 + name_len);
         let same = self.bytes.get(from..end)? == self.bytes.get(start..start + name_len)?;

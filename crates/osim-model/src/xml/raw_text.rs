@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::ops::Range;
 
-use super::tree::{ElementId, PieceKind, Tree, decode};
+use super::tree::{ElementId, PieceKind, StoredElement, Tree, decode};
 
 /// The text between the tags of an element.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -79,25 +79,15 @@ impl Tree {
 
     /// The text of `id` and its bytes, if there is nothing but character data between the tags.
     fn plain_text(&self, id: ElementId) -> Option<(&str, Range<usize>)> {
-        let mut content = self.content(id);
-        let piece = content.next();
-        if content.next().is_some() {
-            return None;
-        }
-        let Some(piece) = piece else {
-            let start = self.open_span(id).end;
+        let StoredElement { open, close, .. } = self.element(id);
+        let start = self.piece_span(open as usize).end;
+        if close - open < 2 {
             return Some(("", start..start));
-        };
-        if piece.kind != PieceKind::Text {
-            return None;
         }
-        let inner = trimmed(piece.text);
-        if inner.is_empty() {
-            return Some(("", piece.span.start..piece.span.start));
-        }
-        let before = piece.text.bytes().position(|byte| !is_white_byte(byte)).unwrap_or_default();
-        let start = piece.span.start + before;
-        Some((inner, start..start + inner.len()))
+        let piece = self.piece(open as usize + 1);
+        let piece = piece.filter(|piece| piece.kind == PieceKind::Text && close - open == 2)?;
+        let inner = inside_white(piece.text);
+        Some((piece.text.get(inner.clone())?, start + inner.start..start + inner.end))
     }
 
     /// The text of `id`, for names and paths.
@@ -126,11 +116,14 @@ pub(super) const fn is_white_byte(byte: u8) -> bool {
 
 /// `text` without the white space around it.
 pub fn trimmed(text: &str) -> &str {
+    text.get(inside_white(text)).unwrap_or_default()
+}
+
+/// The bytes of `text` inside the white space around it; none, at the start, if there is nothing else.
+fn inside_white(text: &str) -> Range<usize> {
     let is_letter = |byte: &u8| !is_white_byte(*byte);
-    let start = text.as_bytes().iter().position(is_letter);
-    let end = text.as_bytes().iter().rposition(is_letter);
-    let inner = start.zip(end).and_then(|(start, last)| text.get(start..=last));
-    inner.unwrap_or_default()
+    let start = text.as_bytes().iter().position(is_letter).unwrap_or_default();
+    start..text.as_bytes().iter().rposition(is_letter).map_or(start, |last| last + 1)
 }
 
 #[cfg(test)]

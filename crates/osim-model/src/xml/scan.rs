@@ -226,8 +226,9 @@ impl<'t> Scanner<'t> {
         self.push(start, kind);
         let id = self.elements.len() as u32;
         let parent = self.open.last().copied().unwrap_or(0);
-        let (subtree_end, name_len) = (id + 1, name_len as u32);
-        self.elements.push(StoredElement { open, close: open, parent, subtree_end, name_len });
+        let (name_start, name_len) = (start as u32 + 1, name_len as u32);
+        let subtree_end = id + 1;
+        self.elements.push(StoredElement { open, close: open, parent, subtree_end, name_start, name_len });
         self.open.push(id);
         Ok(())
     }

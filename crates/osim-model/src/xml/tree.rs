@@ -3,6 +3,8 @@
 use std::borrow::Cow;
 use std::ops::Range;
 
+use quick_xml::events::attributes::{Attribute, Attributes};
+
 /// What a piece of a file is: a tag, a text, or another part of XML.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[repr(u8)]
@@ -67,7 +69,8 @@ pub(super) struct StoredElement {
     pub(super) parent: u32,
     /// Index of the first element after this element and all its descendants.
     pub(super) subtree_end: u32,
-    /// Length of the tag name, which begins one byte after the `<`.
+    /// The byte at which the tag name begins, after the `<`.
+    pub(super) name_start: u32,
     pub(super) name_len: u32,
 }
 
@@ -118,7 +121,7 @@ impl Tree {
         content.filter_map(|index| self.piece(index as usize))
     }
 
-    fn piece(&self, index: usize) -> Option<Piece<'_>> {
+    pub(super) fn piece(&self, index: usize) -> Option<Piece<'_>> {
         let kind = self.pieces.get(index)?.kind;
         let span = self.piece_span(index);
         Some(Piece { kind, text: self.slice(span.clone()), span })
@@ -135,7 +138,7 @@ impl Tree {
     }
 
     /// Bytes of piece `index`; empty if there is no such piece.
-    fn piece_span(&self, index: usize) -> Range<usize> {
+    pub(super) fn piece_span(&self, index: usize) -> Range<usize> {
         let end = self.text.as_str().len();
         let start = self.pieces.get(index).map_or(end, |piece| piece.start as usize);
         start..self.pieces.get(index + 1).map_or(end, |next| next.start as usize)
@@ -147,7 +150,8 @@ impl Tree {
         self.text.as_str().get(span).unwrap_or_default()
     }
 
-    fn element(&self, id: ElementId) -> StoredElement {
+    #[inline]
+    pub(super) fn element(&self, id: ElementId) -> StoredElement {
         // Ids are only made by this tree; the fallback keeps a foreign id from panicking.
         self.elements.get(id.index()).copied().unwrap_or_default()
     }
@@ -176,39 +180,33 @@ impl Tree {
     /// The tag name of an element.
     #[inline]
     pub fn name(&self, id: ElementId) -> &str {
-        let element = self.element(id);
-        let start = self.pieces.get(element.open as usize).map_or(0, |piece| piece.start as usize) + 1;
-        self.slice(start..start + element.name_len as usize)
+        let StoredElement { name_start, name_len, .. } = self.element(id);
+        self.slice(name_start as usize..name_start as usize + name_len as usize)
     }
 
     /// The decoded value of attribute `key`; `None` if the start tag does not have it.
     pub fn attribute(&self, id: ElementId, key: &str) -> Option<Cow<'_, str>> {
-        let tag = self.slice(self.open_span(id));
-        let name = self.name(id);
-        // `<name>` and `<name/>` have no attributes.
-        if tag.len() <= name.len() + 3 {
-            return None;
-        }
-        let body = tag.get(1..).unwrap_or_default().trim_end_matches('>').trim_end_matches('/');
-        if body.len() == name.len() {
-            return None;
-        }
-        if let Some(found) = body.get(name.len()..).and_then(|attributes| plain_attribute(attributes, key)) {
+        let StoredElement { open, name_start, name_len, .. } = self.element(id);
+        let behind_name = name_start as usize + name_len as usize;
+        let attributes = self.slice(behind_name..self.piece_span(open as usize).end);
+        if let Some(found) = plain_attribute(attributes, key) {
             return found.map(Cow::Borrowed);
         }
-        let mut attributes = quick_xml::events::attributes::Attributes::new(body, name.len());
-        attributes.with_checks(false);
-        let found = attributes.flatten().find(|attribute| attribute.key.as_ref() == key)?;
+        let found = self.attributes(id).find(|attribute| attribute.key.as_ref() == key)?;
         Some(decode(found.value))
     }
 
     /// The names of the attributes of an element.
     pub fn attribute_names(&self, id: ElementId) -> impl Iterator<Item = &str> {
+        self.attributes(id).map(|attribute| attribute.key.into_inner())
+    }
+
+    fn attributes(&self, id: ElementId) -> impl Iterator<Item = Attribute<'_>> {
         let tag = self.slice(self.open_span(id)).get(1..).unwrap_or_default();
         let body = tag.trim_end_matches('>').trim_end_matches('/');
-        let mut attributes = quick_xml::events::attributes::Attributes::new(body, self.name(id).len());
+        let mut attributes = Attributes::new(body, self.name(id).len());
         attributes.with_checks(false);
-        attributes.flatten().map(|attribute| attribute.key.into_inner())
+        attributes.flatten()
     }
 
     /// The parent element; `None` for the root.
@@ -237,31 +235,33 @@ impl Tree {
     /// The first child element with this tag name. OpenSim reads only the first of several.
     #[inline]
     pub fn child(&self, id: ElementId, name: &str) -> Option<ElementId> {
-        self.children(id).find(|&child| self.name(child) == name)
+        // Most names differ in their lengths.
+        let has_length = |child: &ElementId| self.element(*child).name_len as usize == name.len();
+        self.children(id).filter(has_length).find(|&child| self.name(child) == name)
     }
 }
 
-/// The value of `key` in attributes such as ` a="1" b='2'`; `None` inside if there is no `key`. The outer `None` means that the attributes
-/// are not plain: other text between them, or a reference in the value.
+/// The value of `key` in attributes such as ` a="1" b='2'>`; `None` inside if there is no `key`. The outer `None` means that the attributes
+/// are not plain: other text between them, or a reference in a value.
 fn plain_attribute<'t>(attributes: &'t str, key: &str) -> Option<Option<&'t str>> {
-    let mut rest = attributes;
+    let mut rest = attributes.as_bytes();
     loop {
-        let blanks = rest.bytes().take_while(|&byte| is_space(byte)).count();
+        let blanks = rest.iter().position(|&byte| !is_space(byte)).unwrap_or(rest.len());
         rest = rest.get(blanks..)?;
-        if rest.is_empty() {
+        if matches!(rest, b"" | b">" | b"/>") {
             return Some(None);
         }
-        let (name, value) = rest.split_at_checked(rest.bytes().position(|byte| !is_name_byte(byte))?)?;
-        let quote = value.as_bytes().get(1).copied().filter(|&byte| matches!(byte, b'"' | b'\''))?;
-        let value = value.strip_prefix('=')?.get(1..)?;
-        let (value, behind) = value.split_at_checked(memchr::memchr(quote, value.as_bytes())?)?;
-        if blanks == 0 || name.is_empty() {
+        let (name, behind) = rest.split_at_checked(rest.iter().position(|&byte| !is_name_byte(byte))?)?;
+        let [b'=', quote @ (b'"' | b'\''), value @ ..] = behind else { return None };
+        let length = value.iter().position(|byte| byte == quote || *byte == b'&')?;
+        if blanks == 0 || name.is_empty() || value.get(length) == Some(&b'&') {
             return None;
         }
-        if name == key {
-            return (!value.contains('&')).then_some(Some(value));
+        if name == key.as_bytes() {
+            let start = attributes.len() - value.len();
+            return attributes.get(start..start + length).map(Some);
         }
-        rest = behind.get(1..)?;
+        rest = value.get(length + 1..)?;
     }
 }
 
