@@ -34,8 +34,8 @@ pub struct Components {
 
 /// The text of a socket, and its place in the file.
 #[derive(Debug, Clone)]
-pub(crate) struct Connectee {
-    pub text: String,
+pub(crate) struct Connectee<'d> {
+    pub text: Cow<'d, str>,
     pub element: ElementId,
     /// Whether the socket has the old form that names a body instead of giving a path.
     pub legacy: bool,
@@ -129,18 +129,30 @@ impl Components {
 
     /// The class of an object, as the file writes it.
     pub fn tag(&self, id: ComponentId) -> &str {
-        self.document_of(id).tree().name(self.element(id))
+        let (document, element) = self.place(id);
+        document.tree().name(element)
+    }
+
+    /// The file and the element of an object.
+    fn place(&self, id: ComponentId) -> (&Document, ElementId) {
+        let place = |component: &Component| (self.document(component.file), component.element);
+        self.tree.get(id).map_or((&self.main, ElementId::ROOT), place)
     }
 
     /// The `name` of an object, as the file writes it.
     pub fn name(&self, id: ComponentId) -> Cow<'_, str> {
-        self.document_of(id).tree().attribute(self.element(id), "name").unwrap_or_default()
+        let (document, element) = self.place(id);
+        document.tree().attribute(element, "name").unwrap_or_default()
     }
 
     /// The text of a socket of `owner`, in the spelling of any document version. Without an element of its own, the text in `<defaults>`.
-    pub(crate) fn connectee(&self, owner: ComponentId, socket: &str, legacy: &[&str]) -> Option<Connectee> {
-        let document = self.document_of(owner);
-        let owner_element = self.element(owner);
+    pub(crate) fn connectee(
+        &self,
+        owner: ComponentId,
+        socket: &str,
+        legacy: &[&str],
+    ) -> Option<Connectee<'_>> {
+        let (document, owner_element) = self.place(owner);
         let in_element = |element| self.connectee_of(document, element, socket, legacy);
         in_element(owner_element).or_else(|| in_element(document.defaults_of(owner_element)?))
     }
@@ -171,13 +183,13 @@ impl Components {
         Ok(())
     }
 
-    fn connectee_of(
+    fn connectee_of<'d>(
         &self,
-        document: &Document,
+        document: &'d Document,
         element: ElementId,
         socket: &str,
         legacy: &[&str],
-    ) -> Option<Connectee> {
+    ) -> Option<Connectee<'d>> {
         let tree = document.tree();
         // The first spelling that is there counts.
         let direct =
@@ -198,7 +210,7 @@ impl Components {
                 .find(|&id| tree.attribute(id, "name").as_deref() == Some(socket))?;
             Some((tree.child(connector, "connectee_name")?, false))
         })?;
-        let text = tree.text_of(found).into_owned();
+        let text = tree.text_of(found);
         (!text.is_empty()).then_some(Connectee { text, element: found, legacy })
     }
 
@@ -223,8 +235,8 @@ impl Components {
         tag == "Body" || tag == "Ground" || tag.ends_with("Frame")
     }
 
-    pub(crate) fn frame_of(&self, owner: ComponentId, connectee: &Connectee) -> Option<ConnectedFrame> {
-        let text = connectee.text.as_str();
+    pub(crate) fn frame_of(&self, owner: ComponentId, connectee: &Connectee<'_>) -> Option<ConnectedFrame> {
+        let text = &*connectee.text;
         let exact = self.tree.at_path(owner, text).filter(|&id| self.is_frame(id));
         if exact.is_none() && (text == "ground" || text.ends_with("/ground")) {
             // Ground is at the top of every model, whether the file spells it out or not.
@@ -270,7 +282,7 @@ impl Components {
                 "Body" => return Ok(Carrier::Body(id)),
                 _ => {}
             }
-            let Some((_, parent)) = self.on_parent(id) else {
+            let Some(parent) = self.parent_of_frame(id) else {
                 let text = self.connectee(id, "parent", &["parent_frame"]).map(|parent| parent.text);
                 return Err(match self.tag(id) {
                     STATION_DEFINED_FRAME => Fault::refused(format!(

@@ -56,8 +56,6 @@ struct ChildList {
 
 /// Up to this number of children are searched one by one; for more, a map is made.
 const MOST_CHILDREN_WITHOUT_MAP: u32 = 12;
-/// The usual depth of objects below the root, for allocating paths in one step.
-const USUAL_DEPTH: usize = 4;
 
 /// All components in the files of a model, with search by path and by name.
 #[derive(Debug, Default)]
@@ -165,19 +163,17 @@ impl ComponentTree {
         seen: &mut HashSet<(ComponentId, &'d str)>,
     ) -> ElementRole {
         let tree = document.tree();
-        let owner_tag = self.get(owner).map(|object| tree.name(object.element)).unwrap_or_default();
+        let owner_tag = || self.get(owner).map(|object| tree.name(object.element)).unwrap_or_default();
         let holds_items = match tag {
             "components" => true,
-            "objects" => owner_tag.ends_with("Set"),
-            "frames" => ["Joint", "Constraint", "Force"].iter().any(|class| owner_tag.ends_with(class)),
-            "Joint" => owner_tag == "Body",
+            "objects" => owner_tag().ends_with("Set"),
+            "frames" => ["Joint", "Constraint", "Force"].iter().any(|class| owner_tag().ends_with(class)),
+            "Joint" => owner_tag() == "Body",
             _ => false,
         };
-        let is_set = match owner_tag {
-            "Model" => MODEL_SETS.contains(&tag),
-            _ => CONTACT_PARAMETERS_SETS.contains(&tag),
-        };
-        let is_ground = tag == "Ground" && owner_tag == "Model";
+        let is_set = (MODEL_SETS.contains(&tag) && owner_tag() == "Model")
+            || (CONTACT_PARAMETERS_SETS.contains(&tag) && owner_tag() != "Model");
+        let is_ground = tag == "Ground" && owner_tag() == "Model";
         // OpenSim reads the first of duplicated properties.
         if !(holds_items || is_set || is_ground) || !seen.insert((owner, tag)) {
             return ElementRole::Nothing;
@@ -320,21 +316,20 @@ impl ComponentTree {
 
     /// The absolute path of a component, as OpenSim prints it.
     pub fn path(&self, id: ComponentId) -> String {
-        let mut segments = Vec::with_capacity(USUAL_DEPTH);
-        let mut next = Some(id);
-        while let Some(object) = next.and_then(|id| self.get(id)) {
-            if object.parent.is_some() || !object.segment.is_empty() {
-                segments.push(&*object.segment);
-            }
-            next = object.parent;
+        let upwards = || std::iter::successors(self.get(id), |object| self.get(object.parent?));
+        let segments = || {
+            let named = upwards().filter(|object| object.parent.is_some() || !object.segment.is_empty());
+            named.map(|object| object.segment.as_bytes())
+        };
+        // Every message and every contact has one: a path is allocated once, and filled from its end.
+        let mut path = vec![b'/'; segments().map(|segment| segment.len() + 1).sum::<usize>().max(1)];
+        let mut rest = path.as_mut_slice();
+        for segment in segments() {
+            let (before, own) = rest.split_at_mut(rest.len() - segment.len());
+            own.copy_from_slice(segment);
+            rest = before.split_last_mut().map(|(_, before)| before).unwrap_or_default();
         }
-        // Every message and every contact has one: a path grows once.
-        let mut path = String::with_capacity(segments.iter().map(|segment| segment.len() + 1).sum());
-        for segment in segments.iter().rev() {
-            path.push('/');
-            path.push_str(segment);
-        }
-        if path.is_empty() { "/".to_owned() } else { path }
+        String::from_utf8(path).unwrap_or_default()
     }
 
     /// The component of the main file's data root.

@@ -66,7 +66,9 @@ impl ContactReader<'_> {
         let (mut sockets, mut found_paths) = (Vec::new(), HashSet::new());
         tree.walk(document.data_root(), |element| {
             let tag = tree.name(element);
-            sockets.extend(tag.strip_prefix("socket_").map(|socket| (element, socket)));
+            if let Some(socket) = tag.strip_prefix("socket_") {
+                sockets.push((element, socket));
+            }
             is_model && tag != "defaults"
         });
         for (element, socket) in sockets {
@@ -90,8 +92,8 @@ impl ContactReader<'_> {
             }
             let seen = seen_from_whole(tree, object, components.element(id), &text);
             let is_exact = is_component || text.starts_with('/') || seen.is_some();
-            let seen = Connectee { text: seen.unwrap_or(&text).to_owned(), element, legacy: false };
-            let written = Connectee { text: text.to_string(), element, legacy: false };
+            let seen = Connectee { text: seen.unwrap_or(&text).into(), element, legacy: false };
+            let written = Connectee { text: (&*text).into(), element, legacy: false };
             if self.record_if_lost(id, socket, (&written, &seen), is_exact) && text.starts_with('/') {
                 found_paths.insert(text);
             }
@@ -139,7 +141,7 @@ impl ContactReader<'_> {
         &mut self,
         id: ComponentId,
         socket: &str,
-        (written, seen): (&Connectee, &Connectee),
+        (written, seen): (&Connectee<'_>, &Connectee<'_>),
         is_exact: bool,
     ) -> bool {
         match self.components.frame_of(id, seen) {
@@ -162,10 +164,10 @@ impl ContactReader<'_> {
     pub(super) fn record_component_taken_by_name(
         &mut self,
         id: ComponentId,
-        connectee: &Connectee,
+        connectee: &Connectee<'_>,
         found: Option<ComponentId>,
     ) {
-        if !self.taken_by_name.insert((id, connectee.element, connectee.text.clone())) {
+        if !self.taken_by_name.insert((id, connectee.element, connectee.text.to_string())) {
             return;
         }
         let path = found.map_or_else(|| "/ground".to_owned(), |id| self.components.tree.path(id));
@@ -177,7 +179,7 @@ impl ContactReader<'_> {
         self.irregularities.push(Irregularity::TakenByName {
             owner: self.components.tree.path(id),
             class: self.components.tag(id).to_owned(),
-            text: connectee.text.clone(),
+            text: connectee.text.to_string(),
             taken: if connectee.legacy { name } else { path },
             socket: is_whole.then_some(element),
             position: document.position_of(element),

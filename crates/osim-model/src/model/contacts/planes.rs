@@ -168,9 +168,18 @@ impl Components {
         if self.tag(frame) == STATION_DEFINED_FRAME {
             return self.on_body_of_stations(frame);
         }
-        let triple = |tag| self.document_of(frame).triple(self.element(frame), tag).unwrap_or_default();
+        let (document, element) = (self.document_of(frame), self.element(frame));
+        let triple = |tag| document.triple(element, tag).unwrap_or_default();
         let placement = Placement::from_triples(triple("orientation"), triple("translation"));
         Some((placement, self.frame_at(frame, "parent", &["parent_frame"])?.component))
+    }
+
+    /// The frame that `frame` is fixed to, as [`on_parent`](Self::on_parent) has it.
+    pub(crate) fn parent_of_frame(&self, frame: ComponentId) -> Option<Option<ComponentId>> {
+        if self.tag(frame) == STATION_DEFINED_FRAME {
+            return Some(self.on_body_of_stations(frame)?.1);
+        }
+        Some(self.frame_at(frame, "parent", &["parent_frame"])?.component)
     }
 
     /// As [`on_parent`](Self::on_parent), for a StationDefinedFrame: its first axis points from station a to b, its second one along the

@@ -142,7 +142,11 @@ impl<'r> ContactReader<'r> {
             // A geometry set that stands alone points into a model that may not have been read.
             let is_standalone_set = self.components.tag(self.components.tree.root_of(id)) != "Model";
             return if is_standalone_set {
-                Ok(GeometryFrame { path: connectee.text, base: Carrier::Unknown, component: None })
+                Ok(GeometryFrame {
+                    path: connectee.text.into_owned(),
+                    base: Carrier::Unknown,
+                    component: None,
+                })
             } else {
                 Err(self.components.unresolved(id, &connectee.text, "frame it is attached to"))
             };
@@ -176,7 +180,7 @@ impl<'r> ContactReader<'r> {
         .or_else(|| self.components.resolve(force, text, accept))
         .ok_or_else(|| self.surface_of_other_class(force, text, socket))?;
         if by_name {
-            let connectee = Connectee { text: text.to_owned(), element, legacy: false };
+            let connectee = Connectee { text: text.into(), element, legacy: false };
             self.record_component_taken_by_name(force, &connectee, Some(id));
         }
         match self.components.tag(id) {
