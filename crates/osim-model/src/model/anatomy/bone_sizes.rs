@@ -117,11 +117,14 @@ fn meshes(components: &Components, body: ComponentId) -> BTreeMap<String, [f64; 
     let mut meshes = BTreeMap::new();
     let mut counts: HashMap<String, usize> = HashMap::new();
     for (file, factors) in mesh_list {
-        let mut key = file.clone();
-        let count = counts.entry(file.clone()).or_insert(2);
-        while meshes.contains_key(&key) {
-            key = format!("{file} #{count}");
-            *count += 1;
+        let mut key = file;
+        if meshes.contains_key(&key) {
+            let file = key.clone();
+            let count = counts.entry(key.clone()).or_insert(2);
+            while meshes.contains_key(&key) {
+                key = format!("{file} #{count}");
+                *count += 1;
+            }
         }
         // A mesh is only drawn: one that is mirrored shows a bone of the same size.
         meshes.insert(key, factors.map(f64::abs));
@@ -162,22 +165,24 @@ pub struct BoneLengths {
 impl BoneLengths {
     /// The distances between `joints`, such as [`Anatomy::joints`](crate::model::Anatomy::joints).
     pub(crate) fn from_joints(joints: &[AnatomyJoint]) -> Self {
-        let mut neighbours: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
-        let mut places: BTreeMap<String, Vec<DVec3>> = BTreeMap::new();
+        let mut neighbours: BTreeMap<&str, BTreeSet<&str>> = BTreeMap::new();
+        let mut places: BTreeMap<&str, Vec<DVec3>> = BTreeMap::new();
         for joint in joints {
-            places.entry(joint.parent.clone()).or_default().push(joint.in_parent_m);
-            places.entry(joint.child.clone()).or_default().push(joint.in_child_m);
-            neighbours.entry(joint.parent.clone()).or_default().insert(joint.child.clone());
-            neighbours.entry(joint.child.clone()).or_default().insert(joint.parent.clone());
+            let (parent, child) = (joint.parent.as_str(), joint.child.as_str());
+            places.entry(parent).or_default().push(joint.in_parent_m);
+            places.entry(child).or_default().push(joint.in_child_m);
+            neighbours.entry(parent).or_default().insert(child);
+            neighbours.entry(child).or_default().insert(parent);
         }
-        let longest = |(body, places): (String, Vec<DVec3>)| Some((body, longest_distance_m(&places)?));
+        let longest =
+            |(body, places): (&str, Vec<DVec3>)| Some((body.to_owned(), longest_distance_m(&places)?));
         let longest_m: BTreeMap<String, f64> = places.into_iter().filter_map(longest).collect();
-        let around = |(body, next_to): (&String, &BTreeSet<String>)| {
-            let near = next_to.iter().chain([body]).filter_map(|body| longest_m.get(body));
-            Some((body.clone(), near.copied().reduce(f64::max)?))
+        let around = |(body, next_to): (&str, BTreeSet<&str>)| {
+            let near = next_to.into_iter().chain([body]).filter_map(|body| longest_m.get(body));
+            Some((body.to_owned(), near.copied().reduce(f64::max)?))
         };
         Self {
-            around_m: neighbours.iter().filter_map(around).collect(),
+            around_m: neighbours.into_iter().filter_map(around).collect(),
             by_limb_m: longest_by_limb(joints, &longest_m),
             longest_of_all_m: longest_m.values().copied().reduce(f64::max),
             by_body_m: longest_m,
@@ -240,12 +245,12 @@ fn longest_by_limb(
     for joint in joints {
         above.entry(&joint.child).or_insert(&joint.parent);
     }
-    let mut by_limb_m: HashMap<String, Option<f64>> = HashMap::new();
+    let mut by_limb_m: HashMap<&str, Option<f64>> = HashMap::new();
     for body in joints.iter().flat_map(|joint| [joint.child.as_str(), joint.parent.as_str()]) {
         let (mut passed, mut at) = (Vec::new(), Some(body));
         while let Some(body) = at.filter(|&body| !by_limb_m.contains_key(body)) {
             // A loop of joints ends here, too.
-            by_limb_m.insert(body.to_owned(), None);
+            by_limb_m.insert(body, None);
             passed.push(body);
             let side = Side::of_name(body);
             at = above.get(body).copied().filter(|up| side.is_none() || Side::of_name(up) == side);
@@ -253,10 +258,10 @@ fn longest_by_limb(
         let mut longest_m = at.and_then(|body| by_limb_m.get(body).copied().flatten());
         for body in passed.into_iter().rev() {
             longest_m = [longest_m, by_body_m.get(body).copied()].into_iter().flatten().reduce(f64::max);
-            by_limb_m.insert(body.to_owned(), longest_m);
+            by_limb_m.insert(body, longest_m);
         }
     }
-    by_limb_m
+    by_limb_m.into_iter().map(|(body, longest_m)| (body.to_owned(), longest_m)).collect()
 }
 
 /// The longest distance between two of `places`. If very many places are about equally far from their middle (joints on a circle), only

@@ -114,30 +114,37 @@ impl ModelJoint {
 /// The joints of a model, read at first use.
 #[derive(Debug, Default)]
 pub(crate) struct Joints {
-    all: OnceLock<Vec<(ComponentId, ModelJoint)>>,
+    all: OnceLock<Vec<ModelJoint>>,
     converted: OnceLock<Vec<ModelJoint>>,
     between_bodies: OnceLock<Vec<AnatomyJoint>>,
 }
 
 impl Joints {
     /// All joints in the files. A joint whose frames refer to no body is left out; limbs beyond it are then unknown.
-    pub(crate) fn read(&self, components: &Components) -> &[(ComponentId, ModelJoint)] {
+    pub(crate) fn read(&self, components: &Components) -> &[ModelJoint] {
         let joints = components.tree.iter().filter(|(id, _)| components.tag(*id).ends_with("Joint"));
-        self.all
-            .get_or_init(|| joints.filter_map(|(id, _)| Some((id, read_joint(components, id)?))).collect())
+        self.all.get_or_init(|| joints.filter_map(|(id, _)| read_joint(components, id)).collect())
     }
 
     /// All joints except the `ignored` ones, with their frames as OpenSim converts them.
     pub(crate) fn converted(&self, components: &Components, ignored: &[ComponentId]) -> &[ModelJoint] {
+        let all = self.read(components);
+        // Documents of version 4 need no conversion.
+        if ignored.is_empty() && !all.iter().any(|joint| joint.in_body) {
+            return all;
+        }
         self.converted.get_or_init(|| {
             let ignored: HashSet<&ComponentId> = ignored.iter().collect();
-            let read = self.read(components).iter().filter(|(id, _)| !ignored.contains(id));
-            read.map(|(_, joint)| joint.clone().converted()).collect()
+            let counts = |joint: &&ModelJoint| {
+                let id = components.at(joint.file, joint.element);
+                !id.is_some_and(|id| ignored.contains(&id))
+            };
+            all.iter().filter(counts).map(|joint| joint.clone().converted()).collect()
         })
     }
 
     pub(crate) fn places_on_bodies(&self, components: &Components) -> impl Iterator<Item = (&str, DVec3)> {
-        self.read(components).iter().flat_map(|(_, joint)| {
+        self.read(components).iter().flat_map(|joint| {
             let parent = joint.parent.as_deref().map(|body| (body, joint.in_parent.translation_m));
             let child = joint.child.as_deref().map(|body| (body, joint.in_child.translation_m));
             parent.into_iter().chain(child)
@@ -147,7 +154,7 @@ impl Joints {
     pub(crate) fn between_bodies(&self, components: &Components) -> &[AnatomyJoint] {
         let all = self.read(components).iter();
         self.between_bodies
-            .get_or_init(|| all.filter_map(|(_, joint)| between_bodies(components, joint)).collect())
+            .get_or_init(|| all.filter_map(|joint| between_bodies(components, joint)).collect())
     }
 }
 

@@ -99,7 +99,8 @@ pub fn rounding_of_places_m(places: impl Iterator<Item = [f64; 3]>) -> f64 {
     for value in places.flatten().map(f64::abs) {
         let text = value.to_string();
         decimals = decimals.max(text.split_once('.').map_or(0, |(_, decimals)| decimals.len()));
-        digits = digits.max(text.replace('.', "").trim_start_matches('0').len());
+        let letters = text.trim_start_matches(['0', '.']);
+        digits = digits.max(letters.len() - usize::from(letters.contains('.')));
         largest_m = largest_m.max(value);
     }
     let of_decimals = (decimals, -(decimals as f64));
