@@ -117,7 +117,7 @@ impl Recording {
             }
             start = end;
         }
-        recording.apply_couplers(&Couplers::of(model))?;
+        recording.apply_couplers(Couplers::of(model))?;
         recording.facts.outside = recording.outside_ranges();
         recording.facts.jump = recording.first_jump();
         Ok(recording)

@@ -103,7 +103,8 @@ impl Placements {
     /// Places all bodies at these values of the coordinates, beginning at ground. It is in doubt if a joint closes a loop of joints and the
     /// two chains lead to different places.
     fn at(model: &Model, coordinates: &CoordinateValues) -> Self {
-        let mut pose = Self { placements: HashMap::new(), doubt: coordinates.doubt.clone() };
+        let placements = HashMap::with_capacity(model.bodies().len());
+        let mut pose = Self { placements, doubt: coordinates.doubt.clone() };
         for JointStep { joint, from, to, forward, closes } in joints_from_ground(model.joints()) {
             let in_parent = joint_placement(model, &coordinates.values, joint);
             let placement = pose.placement_beyond(in_parent, from, forward);
@@ -197,7 +198,7 @@ pub struct JointStep<'j> {
 /// # Ok::<(), osim_model::Fault>(())
 /// ```
 pub fn joints_from_ground(joints: &[ModelJoint]) -> Vec<JointStep<'_>> {
-    let mut at: HashMap<Option<&str>, Vec<usize>> = HashMap::new();
+    let mut at: HashMap<Option<&str>, Vec<usize>> = HashMap::with_capacity(joints.len() + 1);
     for (index, joint) in joints.iter().enumerate() {
         at.entry(joint.parent.as_deref()).or_default().push(index);
         at.entry(joint.child.as_deref()).or_default().push(index);

@@ -241,8 +241,12 @@ pub struct Couplers {
 }
 
 impl Couplers {
-    /// Reads the coupler constraints of `model`.
-    pub fn of(model: &Model) -> Self {
+    /// The coupler constraints of `model`, read at first use.
+    pub fn of(model: &Model) -> &Self {
+        model.derived_from_bodies(Self::read)
+    }
+
+    fn read(model: &Model) -> Self {
         let mut couplers = Self { couplers: Vec::new(), unknown: Vec::new() };
         for (document, constraint) in enforced_constraints(model) {
             match read_coupler(document, constraint) {
@@ -400,21 +404,21 @@ pub(crate) enum CoordinateState {
 /// Finds for each coordinate of a model whether it is free, locked or determined by something else.
 pub(crate) struct CoordinateStates<'m> {
     model: &'m Model,
-    dependent: HashSet<String>,
+    dependent: HashSet<&'m str>,
 }
 
 impl<'m> CoordinateStates<'m> {
     /// Finds which coordinates of `model` couplers determine.
     pub(crate) fn of(model: &'m Model) -> Self {
-        let couplers = Couplers::of(model).couplers.into_iter();
-        Self { model, dependent: couplers.map(|coupler| coupler.dependent).collect() }
+        let couplers = Couplers::of(model).couplers.iter();
+        Self { model, dependent: couplers.map(|coupler| coupler.dependent.as_str()).collect() }
     }
 
     pub(crate) fn state_of(&self, joint: &ModelJoint, coordinate: &JointCoordinate) -> CoordinateState {
         let document = self.model.file(joint.file);
         if matches!(document.flag(coordinate.element, "locked"), Ok(Some(true))) {
             CoordinateState::Locked
-        } else if self.dependent.contains(&coordinate.name)
+        } else if self.dependent.contains(coordinate.name.as_str())
             || prescribing_element(document, coordinate.element).is_some()
         {
             CoordinateState::Driven

@@ -111,7 +111,7 @@ pub fn correct(
     weight_n: f64,
     options: &CorrectionOptions,
 ) -> Result<Correction, CorrectionError> {
-    let couplers = Couplers::of(model);
+    let couplers = Couplers::of(model).clone();
     // Locked coordinates are at their defaults, and speeds follow from the values, as OpenSim's tools take them.
     let locked = recording.changed(&couplers, |_, values, _| {
         for (value, coordinate) in values.iter_mut().zip(&recording.coordinates) {
@@ -320,7 +320,7 @@ pub fn flat_feet(
     states: &ContactStates,
     feet: &[Foot],
 ) -> Result<Vec<(String, f64)>, StatesError> {
-    let couplers = Couplers::of(model);
+    let couplers = Couplers::of(model).clone();
     let default = recording.default_pose(&couplers)?;
     let Some(normal) = states.frame(0).first().map(|state| state.normal) else { return Ok(Vec::new()) };
     let coordinates = find_coordinates(model, &default, &couplers, states, (feet, normal))?.corrected;

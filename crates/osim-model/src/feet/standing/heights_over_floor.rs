@@ -89,10 +89,13 @@ impl SphereFloors {
 }
 
 /// The angle between `normal` and the axis of `body` that is up where the foot is flat, rad: the nearest axis; if the model lies, the
-/// nearest one with all coordinates at 0.
-pub(super) fn tilt(model: &Model, pose: &DefaultPose, body: &str, normal: DVec3) -> Result<f64, PoseFault> {
+/// nearest one in the pose `before_lying`.
+pub(super) fn tilt(
+    (pose, before_lying): (&DefaultPose, Option<&DefaultPose>),
+    body: &str,
+    normal: DVec3,
+) -> Result<f64, PoseFault> {
     let up = pose.direction_in(body, normal)?;
-    let before_lying = pose.before_lying(model, normal);
     let flat = before_lying.and_then(|pose| pose.direction_in(body, normal).ok()).unwrap_or(up);
     Ok(angle_between(nearest_axis(flat), up))
 }
@@ -186,7 +189,7 @@ impl RestOnFloor {
         by: RestLaw,
     ) -> Result<Self, DomainError> {
         let lowest_m = floor_contacts.iter().map(|one| one.gap_m).fold(f64::INFINITY, f64::min);
-        let mut raised = Vec::new();
+        let mut raised = Vec::with_capacity(floor_contacts.len());
         for one in floor_contacts {
             let law = Law::of(&one.contact.contact, one.contact.radius_m)?;
             raised.push(RaisedSpheres::new(Spheres::new(law, 1.0)?, one.gap_m - lowest_m)?);
@@ -195,7 +198,7 @@ impl RestOnFloor {
             RestLaw::Hertz => hertz_indentation_of_lowest(&raised, load_n),
             RestLaw::OfFile => indentation_of_lowest(&raised, load_n),
         }?;
-        let mut spheres: Vec<RestingSphere> = Vec::new();
+        let mut spheres: Vec<RestingSphere> = Vec::with_capacity(floor_contacts.len());
         for (one, raised) in floor_contacts.iter().zip(&raised) {
             let x = deepest_m - raised.height_m;
             let (sphere, force_n) = (one.contact.sphere, by.force(raised.spheres.law(), x));

@@ -104,7 +104,8 @@ impl LevelledFeet<'_> {
             return Ok(None);
         };
         let Some(body) = self.body(sphere) else { return Ok(None) };
-        let tilt_rad = tilt(self.model, self.pose, body, normal)?;
+        let before_lying = self.pose.before_lying(self.model, normal);
+        let tilt_rad = tilt((self.pose, before_lying), body, normal)?;
         Ok(Some(SphereOverLowestFloor { sphere, gap_m, normal, tilt_rad }))
     }
 

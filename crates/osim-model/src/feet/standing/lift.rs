@@ -123,8 +123,7 @@ impl<'m> LiftingCoordinateSearch<'m> {
         index: usize,
         normal: DVec3,
     ) -> Option<CoordinateEffect> {
-        let by = |metres: f64| self.displacement_of_bodies(parent_joint, index, metres);
-        let moved = [by(1.0)?, by(0.5)?, by(-1.0)?];
+        let moved = self.displacements_of_bodies(parent_joint, index, [1.0, 0.5, -1.0])?;
         let turned = |moved: &Placement| moved.rotation.inverse().to_body(normal);
         let unturned = moved.iter().all(|moved| turned(moved).abs_diff_eq(normal, SAME_MOVEMENT));
         let [rise, half, back] = moved.map(|moved| moved.translation_m.dot(normal));
@@ -138,18 +137,17 @@ impl<'m> LiftingCoordinateSearch<'m> {
         })
     }
 
-    /// The displacement in ground of the bodies below the joint, if its coordinate number `index` grows by `metres`.
-    fn displacement_of_bodies(
+    /// The displacements in ground of the bodies below the joint, if its coordinate number `index` grows by each of `metres`.
+    fn displacements_of_bodies(
         &self,
         parent_joint: &ParentJoint<'_>,
         index: usize,
-        metres: f64,
-    ) -> Option<Placement> {
+        metres: [f64; 3],
+    ) -> Option<[Placement; 3]> {
         let joint = parent_joint.joint;
         let value = |coordinate: &JointCoordinate| self.known.values.get(&coordinate.name).copied();
-        let values: Vec<f64> = joint.coordinates.iter().map(value).collect::<Option<_>>()?;
-        let mut grown = values.clone();
-        *grown.get_mut(index)? += metres;
+        let mut values: Vec<f64> = joint.coordinates.iter().map(value).collect::<Option<_>>()?;
+        let at_rest = *values.get(index)?;
         let parent = match parent_joint.parent {
             Some(body) => *self.pose.placement(body).ok()?,
             None => Placement::IDENTITY,
@@ -158,7 +156,13 @@ impl<'m> LiftingCoordinateSearch<'m> {
             let placement = joint.placement(self.model, values)?;
             Some(parent.then(&if parent_joint.forward { placement } else { placement.inverse() }))
         };
-        Some(placed(&grown)?.then(&placed(&values)?.inverse()))
+        let back = placed(&values)?.inverse();
+        let mut displacements = [Placement::IDENTITY; 3];
+        for (displacement, metres) in displacements.iter_mut().zip(metres) {
+            *values.get_mut(index)? = at_rest + metres;
+            *displacement = placed(&values)?.then(&back);
+        }
+        Some(displacements)
     }
 }
 
@@ -197,7 +201,9 @@ pub(super) struct JointTree<'j> {
 impl<'j> JointTree<'j> {
     /// The tree of bodies that `joints` connect with ground.
     pub(super) fn of(joints: &'j [ModelJoint]) -> Self {
-        let mut tree = Self { above: HashMap::new(), below: HashMap::new(), tops: HashMap::new() };
+        let count = joints.len();
+        let (above, tops) = (HashMap::with_capacity(count), HashMap::with_capacity(count));
+        let mut tree = Self { above, below: HashMap::with_capacity(count), tops };
         for JointStep { joint, from, to, forward, closes } in joints_from_ground(joints) {
             let Some(body) = to.filter(|_| !closes) else { continue };
             // What is above a body is walked to before it.
@@ -296,8 +302,7 @@ fn what_holds_root(
     match search.find(path, model.up()).err()? {
         NotLifted::Locked { coordinate } => Some(format!("{coordinate} is locked")),
         NotLifted::Driven { coordinate } => {
-            let couplers = Couplers::of(model).couplers;
-            let coupler = couplers.iter().find(|coupler| coupler.dependent == coordinate);
+            let coupler = Couplers::of(model).couplers.iter().find(|coupler| coupler.dependent == coordinate);
             // What follows another coordinate moves with it.
             let is_constant =
                 coupler.and_then(|one| one.value_and_slope(0.0)).is_none_or(|(_, slope)| slope == 0.0);

@@ -78,16 +78,14 @@ impl Standing {
         law: RestLaw,
     ) -> Option<Result<RestOnFloor, DomainError>> {
         let chosen: BTreeSet<SphereId> = chosen.iter().copied().collect();
-        let of = |sphere: &SphereId| {
-            let start = self.floor_contacts.partition_point(|one| one.contact.sphere < *sphere);
+        let mut floor_contacts: Vec<&FloorContact> = Vec::with_capacity(self.floor_contacts.len());
+        for sphere in chosen {
+            let start = self.floor_contacts.partition_point(|one| one.contact.sphere < sphere);
             let own = self.floor_contacts.iter().skip(start);
-            own.take_while(|one| one.contact.sphere == *sphere).collect::<Vec<&FloorContact>>()
-        };
-        let floor_contacts: Vec<Vec<&FloorContact>> = chosen.iter().map(of).collect();
-        if floor_contacts.is_empty() || floor_contacts.iter().any(Vec::is_empty) {
-            return None;
+            floor_contacts.extend(own.take_while(|one| one.contact.sphere == sphere));
+            floor_contacts.last().filter(|one| one.contact.sphere == sphere)?;
         }
-        Some(RestOnFloor::of(&floor_contacts.concat(), load_n, law))
+        (!floor_contacts.is_empty()).then(|| RestOnFloor::of(&floor_contacts, load_n, law))
     }
 
     /// The value of the lifting coordinate at which the tree is `down_m` lower than at the default pose; `None` without such a coordinate.
@@ -138,13 +136,14 @@ impl<'j> StandingTree<'_, 'j> {
     ) -> Result<Standing, PoseFault> {
         let planes = self.floors.floors_under(spheres);
         let normal = planes.first().map(|(_, surface)| surface.normal);
+        let before_lying = normal.and_then(|normal| pose.before_lying(self.model, normal));
         let mut over = Vec::new();
         for &sphere in spheres {
             let gaps = self.floors.heights_over_floors(self.model, sphere, pose)?;
             let least = gaps.iter().map(|(_, gap)| *gap).reduce(f64::min);
             let body = self.model.sphere(sphere).and_then(|sphere| sphere.body.as_deref());
             let tilt_rad = match (body, normal) {
-                (Some(body), Some(normal)) => heights_over_floor::tilt(self.model, pose, body, normal)?,
+                (Some(body), Some(normal)) => heights_over_floor::tilt((pose, before_lying), body, normal)?,
                 _ => 0.0,
             };
             let centre = heights_over_floor::centre_and_radius(self.model, sphere, pose)?;
