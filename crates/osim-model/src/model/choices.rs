@@ -7,7 +7,9 @@ use indexmap::IndexMap;
 use crate::messages::{Input, listed, shortest};
 use crate::model::components::{Carrier, ComponentId};
 use crate::model::names_and_sides::{Pattern, any_pattern_matches};
-use crate::model::{Fault, FaultKind, Force, ForceId, ForcesOfAnimal, MissingFact, Model, Property, Result};
+use crate::model::{
+    Fault, FaultKind, Force, ForceId, ForcesOfAnimal, MissingFact, Model, Property, Result, Sphere,
+};
 
 /// The user's choice of forces, by name.
 ///
@@ -168,15 +170,21 @@ fn no_contacts(model: &Model) -> Fault {
 
 /// Asks the caller to choose forces if their bodies are joined only through ground, such as a player and a ball.
 fn refuse_several_trees(model: &Model, forces: &[ForceId]) -> Result<()> {
+    let top = |sphere: &Sphere| match sphere.base {
+        Carrier::Body(body) if !sphere.fixed => Some(model.skeleton().top(body)),
+        _ => None,
+    };
+    let spheres = forces.iter().filter_map(|&id| model.force(id)).flat_map(Force::spheres);
+    let mut tops = spheres.filter_map(|&sphere| top(model.sphere(sphere)?));
+    let first = tops.next();
+    if tops.all(|top| Some(top) == first) {
+        return Ok(());
+    }
     let mut trees: IndexMap<Cow<'_, str>, Vec<ForceId>> = IndexMap::new();
     for force in forces.iter().filter_map(|&id| model.force(id)) {
         for sphere in force.spheres().iter().filter_map(|&sphere| model.sphere(sphere)) {
-            let Carrier::Body(body) = sphere.base else { continue };
-            if sphere.fixed {
-                continue;
-            }
-            let top = model.components().name(model.skeleton().top(body));
-            let forces = trees.entry(top).or_default();
+            let Some(top) = top(sphere) else { continue };
+            let forces = trees.entry(model.components().name(top)).or_default();
             if forces.last() != Some(&force.id) {
                 forces.push(force.id);
             }

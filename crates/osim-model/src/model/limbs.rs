@@ -1,7 +1,7 @@
 //! Finds the limbs of a model: contact spheres are grouped along the joint tree, which is split at bodies with both left and right bodies
 //! below them.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
 use foldhash::{HashMap, HashMapExt, HashSet, HashSetExt};
 
@@ -80,8 +80,8 @@ impl Model {
 
     /// Moving spheres that a switched-on force among `forces` presses on a half-space, each once.
     pub fn loaded_spheres(&self, forces: &[ForceId]) -> Vec<SphereId> {
-        let mut seen = HashSet::new();
-        let mut spheres: Vec<SphereId> = Vec::new();
+        let mut seen = HashSet::with_capacity(self.spheres().len());
+        let mut spheres: Vec<SphereId> = Vec::with_capacity(self.spheres().len());
         let applied = forces.iter().filter_map(|&id| self.force(id)).filter(|force| force.applies);
         for force in applied.filter(|force| self.meets_half_space(force)) {
             for &sphere in force.sets.iter().flat_map(|set| &set.spheres) {
@@ -151,8 +151,8 @@ impl Model {
     /// Splits the bodies with spheres, from the top of the joint tree downwards, until no group has both sides.
     fn limbs_of_carriers(&self, carriers: &[SphereCarrier]) -> Result<Vec<Limb>, String> {
         let tree = CarrierTree::new(carriers, self.skeleton());
-        let sides: BTreeSet<Side> = carriers.iter().filter_map(|carrier| carrier.side).collect();
-        if sides.len() < Side::ALL.len() {
+        let has = |side: &Side| carriers.iter().any(|carrier| carrier.side == Some(*side));
+        if !Side::ALL.iter().all(has) {
             let top = carriers.first().map(|carrier| self.skeleton().top(carrier.body));
             return Ok(vec![self.limb(&carriers.iter().collect::<Vec<_>>(), top)?]);
         }
@@ -161,7 +161,7 @@ impl Model {
         };
         let (mut limbs, mut groups) = (Vec::new(), vec![top]);
         while let Some(body) = groups.pop() {
-            if tree.sides(body).len() < Side::ALL.len() {
+            if tree.sides(body).contains(&false) {
                 limbs.push(self.limb(&tree.below(body), Some(body))?);
                 continue;
             }
@@ -211,8 +211,8 @@ struct SphereCarrier {
 #[derive(Default)]
 struct CarrierNode {
     carrier: Option<usize>,
-    /// The sides of all bodies with spheres, from this body downwards.
-    sides: BTreeSet<Side>,
+    /// Whether there are bodies with spheres of the right and of the left side, from this body downwards.
+    sides: [bool; 2],
     children: Vec<ComponentId>,
 }
 
@@ -240,7 +240,7 @@ impl<'f> CarrierTree<'f> {
             order.extend(path.into_iter().rev());
             if let Some(node) = tree.nodes.get_mut(&carrier.body) {
                 node.carrier = Some(index);
-                node.sides = carrier.side.into_iter().collect();
+                node.sides = [Side::Right, Side::Left].map(|side| carrier.side == Some(side));
             }
         }
         for &body in order.iter().rev() {
@@ -249,7 +249,7 @@ impl<'f> CarrierTree<'f> {
                 None => tree.tops.push(body),
                 Some(parent) => {
                     if let Some(node) = tree.nodes.get_mut(&parent) {
-                        node.sides.extend(sides);
+                        node.sides = [node.sides[0] || sides[0], node.sides[1] || sides[1]];
                         node.children.push(body);
                     }
                 }
@@ -259,9 +259,9 @@ impl<'f> CarrierTree<'f> {
         tree
     }
 
-    /// The sides of all bodies with spheres, from `body` downwards.
-    fn sides(&self, body: ComponentId) -> BTreeSet<Side> {
-        self.nodes.get(&body).map(|node| node.sides.clone()).unwrap_or_default()
+    /// Whether there are bodies with spheres of the right and of the left side, from `body` downwards.
+    fn sides(&self, body: ComponentId) -> [bool; 2] {
+        self.nodes.get(&body).map(|node| node.sides).unwrap_or_default()
     }
 
     /// Whether `body` itself carries spheres.

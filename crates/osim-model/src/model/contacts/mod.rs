@@ -77,11 +77,16 @@ fn loaded_spheres_where(
             continue;
         }
         let surfaces = Surfaces::of(force)?;
-        for (set, spheres) in sphere_sets(model, force) {
-            let contact = contact_of_set(force, &surfaces, set)?;
-            for sphere in spheres.into_iter().filter(|&id| model.sphere(id).is_some_and(&wanted)) {
-                let radius_m = model.round_radius_m(sphere)?;
-                loaded.push(LoadedSphere { sphere, force: id, set, radius_m, contact });
+        for set in &force.sets {
+            let spheres = set.spheres.iter().filter_map(|&id| model.sphere(id));
+            let mut moving = spheres.filter(|sphere| !sphere.fixed).peekable();
+            if moving.peek().is_none() {
+                continue;
+            }
+            let contact = contact_of_set(force, &surfaces, set.id)?;
+            for sphere in moving.filter(|sphere| wanted(sphere)) {
+                let (set, radius_m) = (set.id, sphere.round_radius_m()?);
+                loaded.push(LoadedSphere { sphere: sphere.id, force: id, set, radius_m, contact });
             }
         }
     }
@@ -135,7 +140,7 @@ pub struct Surfaces {
 impl Surfaces {
     /// Reads modulus and dissipation of every parameter set of `force`.
     pub fn of(force: &Force) -> Result<Self> {
-        let mut sets = Vec::new();
+        let mut sets = Vec::with_capacity(force.sets.len());
         for set in force.sets.iter().map(|set| set.id) {
             let plane_strain_modulus = force.checked(set, Property::Stiffness)?.unwrap_or(f64::NAN);
             let dissipation = force.checked(set, Property::Dissipation)?.unwrap_or(0.0);
