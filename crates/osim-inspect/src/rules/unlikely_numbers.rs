@@ -158,6 +158,6 @@ pub(super) fn find_angle_in_degrees(model: &Model) -> Vec<Finding> {
         );
         Some(Finding::at(&ANGLE_IN_DEGREES, one.position, text).with_place(&one.path))
     };
-    let all: Vec<Finding> = Orientation::all(model.components()).filter_map(finding).collect();
+    let all: Vec<Finding> = Orientation::all_in_degrees(model.components()).filter_map(finding).collect();
     Finding::join_cases(&all).into_iter().collect()
 }

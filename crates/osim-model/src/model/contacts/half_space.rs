@@ -171,7 +171,7 @@ const LARGEST_ANGLE_RAD: f64 = std::f64::consts::TAU + 0.01;
 impl Orientation {
     /// Whether the angles are probably degrees: one is larger than a whole turn in radians.
     pub fn is_in_degrees(&self) -> bool {
-        self.angles_rad.is_some_and(|angles| angles.iter().any(|angle| angle.abs() > LARGEST_ANGLE_RAD))
+        are_in_degrees(self.angles_rad)
     }
 
     /// The angles of a half-space whose surface faces `direction` (of length 1) in its frame: a rotation about y, then one about z. The
@@ -183,8 +183,8 @@ impl Orientation {
         [0.0, about_y + 0.0, libm::atan2(-y, level) + 0.0]
     }
 
-    /// The orientations of all half-spaces, offset frames and, in documents before version 4, ends of joints.
-    pub fn all(components: &Components) -> impl Iterator<Item = Self> {
+    /// The orientations of half-spaces, offset frames and, in documents before version 4, ends of joints that are probably in degrees.
+    pub fn all_in_degrees(components: &Components) -> impl Iterator<Item = Self> {
         let tags = move |id| -> &'static [&'static str] {
             match components.tag(id) {
                 "ContactHalfSpace" | "PhysicalOffsetFrame" => &["orientation"],
@@ -193,8 +193,11 @@ impl Orientation {
                 _ => &[],
             }
         };
-        let of_component =
-            move |id| tags(id).iter().map(move |&tag| Self::read(components, id, tag, [0.0; 3]));
+        let of_component = move |id| {
+            let in_degrees = move |tag: &&&str| are_in_degrees(angles_rad(components, id, tag, [0.0; 3]));
+            let tags = tags(id).iter().filter(in_degrees);
+            tags.map(move |&tag| Self::read(components, id, tag, [0.0; 3]))
+        };
         components.tree.iter().flat_map(move |(id, _)| of_component(id))
     }
 
@@ -208,12 +211,22 @@ impl Orientation {
         let (document, element) = (components.document_of(id), components.element(id));
         let property = document.property_element(element, tag);
         let at = property.map_or_else(|| components.position_of(id), |own| document.position_of(own));
-        let angles_rad = match property {
-            Some(_) => document.triple(element, tag),
-            None => Some(otherwise),
-        };
+        let angles_rad = angles_rad(components, id, tag, otherwise);
         Self { path: components.tree.path(id), tag, position: at, file: components.file_of(id), angles_rad }
     }
+}
+
+/// The angles in the element `tag` of a component, rad; `None` if a number cannot be read.
+fn angles_rad(components: &Components, id: ComponentId, tag: &str, otherwise: [f64; 3]) -> Option<[f64; 3]> {
+    let (document, element) = (components.document_of(id), components.element(id));
+    match document.property_element(element, tag) {
+        Some(_) => document.triple(element, tag),
+        None => Some(otherwise),
+    }
+}
+
+fn are_in_degrees(angles_rad: Option<[f64; 3]>) -> bool {
+    angles_rad.is_some_and(|angles| angles.iter().any(|angle| angle.abs() > LARGEST_ANGLE_RAD))
 }
 
 #[cfg(test)]
