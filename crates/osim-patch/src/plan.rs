@@ -222,7 +222,7 @@ impl Plan {
 
     /// `plan` with the note that records it.
     pub(crate) fn new(model: &Model, plan: Self, facts: &NoteFacts<'_>) -> Self {
-        let changed: BTreeMap<ValueKey, f64> = plan.changes.iter().map(NumberChange::key_and_value).collect();
+        let changed: HashMap<ValueKey, f64> = plan.changes.iter().map(NumberChange::key_and_value).collect();
         let moved: HashMap<&str, [f64; 3]> =
             plan.moves.iter().map(|place| (place.path.as_str(), place.to)).collect();
         let is_other = |masses: &&Masses| !is_at_target(masses.contacts_mass.kg, masses.target_mass_kg);
@@ -405,7 +405,7 @@ impl Plan {
         if self.rebuilt.is_some() || !self.moves.is_empty() {
             return None;
         }
-        let numbers: BTreeMap<ValueKey, f64> = self.changes.iter().map(NumberChange::key_and_value).collect();
+        let numbers: HashMap<ValueKey, f64> = self.changes.iter().map(NumberChange::key_and_value).collect();
         model.with_contact_numbers(|key| numbers.get(&key).copied(), self.note())
     }
 

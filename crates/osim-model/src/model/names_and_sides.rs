@@ -193,17 +193,16 @@ impl Side {
             !before.is_some_and(|text| text.ends_with(char::is_alphanumeric))
                 && !behind.is_some_and(|text| text.starts_with(char::is_alphanumeric))
         };
-        let word = |long: &str, short: u8| {
+        let word = |long: &str, short: [u8; 2]| {
             let mut letters = name.bytes().enumerate();
-            has_word(name, long)
-                || letters.any(|(at, letter)| letter.eq_ignore_ascii_case(&short) && is_alone(at))
+            has_word(name, long) || letters.any(|(at, letter)| short.contains(&letter) && is_alone(at))
         };
         let camel = |letter: char| {
             let (first, last) = (first_three_letters(name), last_two_letters(name));
             let leading = first.is_some_and(|[a, b, c]| a == letter && b.is_uppercase() && c.is_lowercase());
             leading || last.is_some_and(|[a, b]| b == letter && a.is_lowercase())
         };
-        match (word("right", b'r') || camel('R'), word("left", b'l') || camel('L')) {
+        match (word("right", *b"rR") || camel('R'), word("left", *b"lL") || camel('L')) {
             (true, false) => Some(Self::Right),
             (false, true) => Some(Self::Left),
             _ => None,
@@ -230,7 +229,12 @@ fn in_lower_case(name: &str) -> Cow<'_, str> {
 
 /// Whether a name has the letters `word` in it, in upper or lower case.
 pub fn has_word(name: &str, word: &str) -> bool {
-    name.as_bytes().windows(word.len().max(1)).any(|part| part.eq_ignore_ascii_case(word.as_bytes()))
+    let (name, word) = (name.as_bytes(), word.as_bytes());
+    let Some(first) = word.first() else { return false };
+    // Most places are excluded by the first letter.
+    let first = [first.to_ascii_lowercase(), first.to_ascii_uppercase()];
+    let begins = |part: &[u8]| part.first().is_some_and(|letter| first.contains(letter));
+    name.windows(word.len()).any(|part| begins(part) && part.eq_ignore_ascii_case(word))
 }
 
 /// The name with all marks of left and right replaced by the same mark.

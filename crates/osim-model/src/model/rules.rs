@@ -74,11 +74,14 @@ rule! { DISABLED_FORCE: DisabledForce, Remark, Sides;
 }
 
 fn find_disabled_force(force: &Force) -> Option<Finding> {
+    if force.applies {
+        return None;
+    }
     let text = format!(
         "{} is switched off: it is changed with the others, and its spheres are not counted",
         force.path
     );
-    (!force.applies).then(|| Finding::at(&DISABLED_FORCE, force.position, text).with_place(&force.path))
+    Some(Finding::at(&DISABLED_FORCE, force.position, text).with_place(&force.path))
 }
 
 /// The warning that all `count` contact forces are switched off.
@@ -132,8 +135,11 @@ rule! { SEVERAL_PARAMETER_SETS: SeveralParameterSets, Remark;
 
 fn find_several_parameter_sets(force: &Force) -> Option<Finding> {
     let used = force.sets.iter().filter(|set| !set.spheres.is_empty() || set.half_spaces > 0).count();
+    if used < 2 {
+        return None;
+    }
     let text = format!("{} has {} ContactParameters: all get the same factor", force.path, force.sets.len());
-    (used > 1).then(|| Finding::at(&SEVERAL_PARAMETER_SETS, force.position, text).with_place(&force.path))
+    Some(Finding::at(&SEVERAL_PARAMETER_SETS, force.position, text).with_place(&force.path))
 }
 
 rule! { pub(crate) FACTORS_DISAGREE: FactorsDisagree, Warning;

@@ -150,8 +150,9 @@ pub fn plain_numbers(text: &str) -> Option<Vec<f64>> {
 /// assert_eq!((flag("2"), flag("yes"), flag("true yes")), (None, None, None));
 /// ```
 pub fn flag(text: &str) -> Option<bool> {
-    let all: Vec<bool> = list_words(text).map(flag_of_word).collect::<Option<_>>()?;
-    all.first().copied()
+    let mut all = list_words(text).map(flag_of_word);
+    let first = all.next()??;
+    all.all(|flag| flag.is_some()).then_some(first)
 }
 
 fn flag_of_word(word: &str) -> Option<bool> {
@@ -194,7 +195,8 @@ pub(crate) fn number_at_start(token: &str) -> Option<(f64, usize)> {
     if bytes.get(sign).is_some_and(u8::is_ascii_alphabetic) {
         return spelled_number(token).map(|value| (value, token.len()));
     }
-    let digits = |from: usize| bytes.iter().skip(from).take_while(|byte| byte.is_ascii_digit()).count();
+    let is_digit = |byte: &&u8| byte.is_ascii_digit();
+    let digits = |from| bytes.get(from..).map_or(0, |rest| rest.iter().take_while(is_digit).count());
     let whole = digits(sign);
     let mut end = sign + whole;
     let mut fraction = 0;
