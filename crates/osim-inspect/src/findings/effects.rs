@@ -12,7 +12,7 @@ use FindingCode::*;
 
 /// Codes of causes, and the codes of what follows from them anywhere in the model, in the order in which they are left out. If something
 /// else causes it, too, that is found once the first cause is gone.
-const EFFECTS: [(&[FindingCode], &[FindingCode]); 17] = [
+const EFFECTS: [(&[FindingCode], &[FindingCode]); 18] = [
     (&[AngleInDegrees], &[LeftRightBones, LeftRightPlaces, OddPlace, SpheresMisplaced, UnevenBottoms]),
     (&[MisplacedObject], &[ConnecteeByName]),
     (&[MisnamedParameterSet, UnknownName], &[BareModel, IgnoredContacts]),
@@ -22,7 +22,8 @@ const EFFECTS: [(&[FindingCode], &[FindingCode]); 17] = [
     (&[DoubledSpheres], &[CrowdedSpheres]),
     (&[ContactsOfAnotherMass, GravitySourcesDisagree, MassSourcesDisagree], &[Floats, ForceBeforeContact]),
     (&[MasslessBody], &[ContactsOfAnotherMass, Floats, ForceBeforeContact, TooStiff]),
-    (&[ContactsOfAnotherMass, GravitySourcesDisagree], &[SunkIn]),
+    (&[ContactsOfAnotherMass], &[SunkIn]),
+    (&[GravitySourcesDisagree], &[SunkIn]),
     (&[HeavyFoot, MasslessBody], &[ContactsOfAnotherMass, MassSourcesDisagree]),
     (&[SphereInTwoForces, DoubledSpheres], &[Floats, ForceBeforeContact]),
     (&[SphereOfOtherSide], &[SphereInTwoForces, LeftRightMissing, OneSideOnly]),
@@ -127,6 +128,10 @@ fn without_effects_anywhere(model: &Model, mut findings: Vec<FindingWithRemedy>)
             // The angles of a floor say nothing about bones and spheres.
             [AngleInDegrees] => found.iter().flat_map(|one| one.paths()).all(turns_floor),
             [NotFinite] => model.gravity().is_some(),
+            // Under less gravity than they are made for, spheres sink in less.
+            [GravitySourcesDisagree] => {
+                model.note.as_ref().and_then(|note| note.gravity_m_s2) > model.gravity()
+            }
             _ => false,
         };
         if found.is_empty() || is_elsewhere {

@@ -145,7 +145,9 @@ fn what_follows_elsewhere_in_the_model_is_left_out() {
 
 #[test]
 fn what_follows_from_nothing_else_is_not_left_out() {
-    use FindingCode::{AngleInDegrees, DynamicAboveStatic, NoGravity, NotFinite, OddPlace, OddRadius};
+    use FindingCode::{AngleInDegrees, DynamicAboveStatic, GravitySourcesDisagree, SunkIn};
+    use FindingCode::{NoGravity, NotFinite, OddPlace, OddRadius};
+    const NOTED: &str = include_str!("../../../../fixtures/check/noted.osim");
     let sphere = "ContactSphere name=\"s1_r\"";
     let far = with_text_replaced(HUMAN, sphere, " -0.01 ", " -10 ");
     let unknown = with_text_replaced(HUMAN, sphere, ">0.032<", ">NaN<");
@@ -155,6 +157,11 @@ fn what_follows_from_nothing_else_is_not_left_out() {
         (far.replace(">0 0 -1.5707963267948966<", ">0 0 -90<"), [AngleInDegrees, OddPlace]),
         (unknown.replace(">0 -9.81 0<", ">0 0 0<"), [NoGravity, NotFinite]),
         (with_text_replaced(&sticky, sphere, ">0.032<", ">0.32<"), [DynamicAboveStatic, OddRadius]),
+        // Less gravity than the contacts are made for.
+        (
+            NOTED.replace("0 -9.81 0", "0 -8 0").replace("4.4876e7", "4.4876e4"),
+            [GravitySourcesDisagree, SunkIn],
+        ),
     ] {
         let found = check_text(&text);
         assert!(codes.into_iter().all(|code| has(&found, code)), "{:?}", found.findings);
