@@ -103,6 +103,7 @@ fn without_effects_anywhere(model: &Model, mut findings: Vec<FindingWithRemedy>)
         with_codes(&findings, codes).iter().flat_map(|one| one.paths().cloned()).collect()
     };
     let (misread, unusable) = (paths(&[OddNumber]), paths(&[NotFinite, OddNumber, OutOfDomain]));
+    let large_friction = paths(&[LargeFriction]);
     let misreads_force = model.forces().iter().any(|force| misread.contains(&force.path));
     let no_number = paths(&[NotFinite, OddNumber]);
     let misreads_sphere = model.spheres().iter().any(|sphere| no_number.contains(&sphere.path));
@@ -141,6 +142,7 @@ fn without_effects_anywhere(model: &Model, mut findings: Vec<FindingWithRemedy>)
         leave_out(&mut findings, is_cause, |one| {
             let is_of_its_own = match one.code() {
                 SphereInTwoForces => one.paths().any(is_in_three),
+                DynamicAboveStatic => one.paths().any(|path| !large_friction.contains(path)),
                 // Places in the model before scaling do not depend on what is switched off.
                 SpheresMisplaced => causes == [LeftRightOff] && !one.details.is_empty(),
                 _ => false,

@@ -145,15 +145,21 @@ fn what_follows_elsewhere_in_the_model_is_left_out() {
 
 #[test]
 fn what_follows_from_nothing_else_is_not_left_out() {
-    use FindingCode::{AngleInDegrees, DynamicAboveStatic, GravitySourcesDisagree, SunkIn};
-    use FindingCode::{NoGravity, NotFinite, OddPlace, OddRadius};
+    use FindingCode::{AngleInDegrees, DynamicAboveStatic, GravitySourcesDisagree, LargeFriction};
+    use FindingCode::{NoGravity, NotFinite, OddPlace, OddRadius, SunkIn};
     const NOTED: &str = include_str!("../../../../fixtures/check/noted.osim");
     let sphere = "ContactSphere name=\"s1_r\"";
     let far = with_text_replaced(HUMAN, sphere, " -0.01 ", " -10 ");
     let unknown = with_text_replaced(HUMAN, sphere, ">0.032<", ">NaN<");
     let force = "\"contact_s1_r\"";
     let sticky = with_text_replaced(HUMAN, force, "dynamic_friction>0.8", "dynamic_friction>0.9");
+    let on_both_sides = ["r", "l"].iter().fold(HUMAN.to_owned(), |text, side| {
+        let force = |number: u8| format!("\"contact_s{number}_{side}\"");
+        let text = with_text_replaced(&text, &force(1), "dynamic_friction>0.8", "dynamic_friction>0.9");
+        with_text_replaced(&text, &force(2), "static_friction>0.8", "static_friction>80")
+    });
     for (text, codes) in [
+        (on_both_sides, [DynamicAboveStatic, LargeFriction]),
         (far.replace(">0 0 -1.5707963267948966<", ">0 0 -90<"), [AngleInDegrees, OddPlace]),
         (unknown.replace(">0 -9.81 0<", ">0 0 0<"), [NoGravity, NotFinite]),
         (with_text_replaced(&sticky, sphere, ">0.032<", ">0.32<"), [DynamicAboveStatic, OddRadius]),
