@@ -228,8 +228,16 @@ fn a_wrong_original_model_causes_an_error_with_the_reason() {
         let text = run.out().split_whitespace().collect::<Vec<_>>().join(" ");
         assert!(text.contains(expected) && text.contains("1 error"), "{call}: {text}");
     }
+    // Without spheres, and without forces that press with them.
     dir.write("bare.osim", crate::support::fixture("feet/human_40000.osim"));
-    dir.run("check bare.osim --from generic.osim").succeeded().says_not(&["spheres-not-compared"]);
+    let text = dir.text("scaled.osim");
+    let (before, forces) = text.split_once("<ForceSet").unwrap();
+    let (_, after) = forces.split_once("</ForceSet>").unwrap();
+    dir.write("unpressed.osim", format!("{before}{after}"));
+    for model in ["bare.osim", "unpressed.osim"] {
+        let run = dir.run(&format!("check {model} --from generic.osim")).succeeded();
+        run.says(&["bare-model"]).says_not(&["spheres-not-compared"]);
+    }
     for itself in ["scaled.osim", "./scaled.osim"] {
         let run = dir.run(&format!("check scaled.osim --from {itself}")).usage_error();
         run.says(&["scaled.osim is the model itself", "--from"]);

@@ -120,11 +120,7 @@ impl SpherePlacements {
             let scaled = Anatomy::of(model).map_err(in_words)?;
             // Without a common sphere nothing is compared, whatever the bones are.
             let common = |&id: &SphereId| original.sphere(&model.sphere(id)?.name);
-            let loaded = model.loaded_spheres(&model.force_ids());
-            if loaded.is_empty() {
-                return Err("no force presses with a sphere of this one".into());
-            }
-            if loaded.iter().all(|id| common(id).is_none()) {
+            if model.loaded_spheres(&model.force_ids()).iter().all(|id| common(id).is_none()) {
                 return Ok((Vec::new(), Vec::new(), false));
             }
             let factors = Factors::find(&scaled, original, file, &BTreeMap::new()).map_err(in_words)?;
