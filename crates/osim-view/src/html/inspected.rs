@@ -138,7 +138,7 @@ fn table_of_spheres(inspected: &Inspection) -> Markup {
 /// The scale factors of each body, compared with the generic model, if there is one.
 fn table_of_factors(inspected: &Inspection) -> Markup {
     let Some(factors) = &inspected.body_factors else { return html! {} };
-    let shown = |factor: Option<f64>| factor.map_or_else(|| "?".to_owned(), |factor| format!("{factor:.6}"));
+    let shown = |factor: Option<f64>| factor.map_or_else(|| "?".to_owned(), |factor| format!("{factor:.4}"));
     let rows = html! {
         @for body in factors {
             tr {
