@@ -120,8 +120,8 @@ impl PreparedChange {
         // Where lower spheres carry the body alone, the change is wrong only if it moved bottoms apart, or if spheres of the reference do
         // not sink in: else they hung lower before.
         let has_parted = !moved.uneven.is_empty();
-        let is_file = self.reference.as_ref().is_some_and(|reference| reference.digest.is_some());
-        let is_reference_right = is_file && reference.iter().all(|one| one.code() != FindingCode::SunkIn);
+        let is_known = self.reference.as_ref().is_some_and(|reference| reference.figures.is_some());
+        let is_reference_right = is_known && reference.iter().all(|one| one.code() != FindingCode::SunkIn);
         let mut figures = inspected.iter().flat_map(|inspected| inspected.figures.spheres());
         let is_too_soft = figures.any(SphereFigures::is_in_to_centre);
         let is_wrong = |one: &&Finding| {
