@@ -227,8 +227,8 @@ verbs! {
     Rescale(RescaleRequest) change = VerbEntry::new(VerbGroup::Change, &["models"],
         "Rescale a model's own contacts to another mass (the verb may be left out)")
         .details("Spheres move only with `follow_bodies`, `body_scale_file` or `level`. After OpenSim's Scale Tool, check SCALED \
-                  `from=GENERIC` first. With a note in the model (see note), SCALED `target_mass=KG` `follow_bodies` needs no other \
-                  file; without one, `body_scale_file` takes the ScaleSet that was applied.")
+                  `from=GENERIC` first. With a note in the model (see note), SCALED `target_mass=KG` `follow_bodies` `level` needs no \
+                  other file; without one, `body_scale_file` takes the ScaleSet that was applied.")
         .title("Scale the contacts")
         .contacts("Rescaled contacts")
         .purpose("Contacts that are made for one body mass, rescaled to another: each parameter is multiplied by the factor that its \
