@@ -31,8 +31,8 @@ impl InspectOptions {
         Inspection { note, heel_spheres, ..self.inspect_with(name, model, factors, InspectedFor::Readers) }
     }
 
-    /// Inspects a model for the rules only: without what no rule needs, such as the summary of the note, the bodies, the parameters of
-    /// forces, and the equilibrium of bodies that stand as they should.
+    /// Inspects a model for the rules only: without what no rule needs, such as the summary of the note, the bodies, the sources of
+    /// parameters, and the equilibrium of bodies that stand as they should.
     pub fn inspect_for_rules(&self, name: impl Into<FileName>, model: &Model) -> Inspection {
         self.inspect_with(name, model, None, InspectedFor::Rules)
     }
@@ -171,7 +171,7 @@ fn inspected_spheres(model: &Model, limbs: &Limbs) -> Vec<InspectedSphere> {
     model.spheres().iter().map(|sphere| InspectedSphere::from((model, sphere, limb_of(sphere.id)))).collect()
 }
 
-/// The forces of a model; without their parameters if `contacts` is `None`.
+/// The forces of a model; without the sources of their parameters if `contacts` is `None`.
 fn inspected_forces(
     model: &Model,
     selected: &Selected,
@@ -182,8 +182,8 @@ fn inspected_forces(
     for force in model.forces() {
         for set in &force.sets {
             let contact = contacts.and_then(|contacts| contacts.get(&(force.id, set.id)));
-            let id = contacts.map(|_| set.id);
-            let parameters = parameters_of_set(force, id, |value| value.number);
+            let parameters = parameters_of_set(force, set.id, |value| value.number);
+            let origin = contacts.map(|_| parameters_of_set(force, set.id, |value| value.origin.as_str()));
             let modulus_of_stiffness = || {
                 let stiffness = parameters.get(Property::Stiffness.as_str())?;
                 Some(stiffness / SURFACE_OVER_COMPOSITE_MODULUS).filter(|modulus| modulus.is_finite())
@@ -200,7 +200,7 @@ fn inspected_forces(
                     .map(|contact| contact.composite_modulus_n_m2)
                     .or_else(modulus_of_stiffness),
                 parameters,
-                origin: parameters_of_set(force, id, |value| value.origin.as_str()),
+                origin: origin.unwrap_or_default(),
                 dimensionless: contact.and_then(|contact| Dimensionless::of(contact.dimensionless.as_ref()?)),
                 position: set.position,
             });
@@ -210,11 +210,7 @@ fn inspected_forces(
 }
 
 /// A `part` of each property of a parameter set, such as its number, by OpenSim's name of the property.
-fn parameters_of_set<T>(
-    force: &Force,
-    set: Option<SetId>,
-    part: impl Fn(&Value) -> T,
-) -> BTreeMap<&'static str, T> {
-    let properties = set.into_iter().flat_map(|set| Property::changeable().map(move |one| (set, one)));
-    properties.filter_map(|(set, one)| Some((one.as_str(), part(force.value(set, one)?)))).collect()
+fn parameters_of_set<T>(force: &Force, set: SetId, part: impl Fn(&Value) -> T) -> BTreeMap<&'static str, T> {
+    let properties = Property::changeable();
+    properties.filter_map(|property| Some((property.as_str(), part(force.value(set, property)?)))).collect()
 }
