@@ -161,20 +161,17 @@ fn find_lost_coordinate_of_axis(model: &Model, joint: &ModelJoint) -> Option<Fin
     let document = model.file(joint.file);
     let tree = document.tree();
     let transform = tree.child(joint.element, "SpatialTransform")?;
-    let lists = || tree.children(transform).filter_map(move |axis| tree.child(axis, "coordinates"));
+    let lists = tree.children(transform).filter_map(|axis| tree.child(axis, "coordinates"));
+    let lists: Vec<_> = lists.map(|list| (list, tree.text_of(list))).collect();
+    let names = || lists.iter().flat_map(|(list, text)| list_words(text).map(move |name| (*list, name)));
     let has = |name: &str| joint.coordinates.iter().any(|one| one.name == name);
-    let (list, name) = lists().find_map(|list| {
-        let text = tree.text_of(list);
-        let name = list_words(&text).find(|&name| !has(name))?.to_owned();
-        Some((list, name))
-    })?;
-    let names = |list: ElementId, name: &str| list_words(&tree.text_of(list)).any(|one| one == name);
-    let is_before = |name: &str| lists().take_while(|&id| id != list).any(|id| names(id, name));
+    let (list, lost) = names().find(|(_, name)| !has(name))?;
+    let is_before = |name: &str| names().take_while(|(_, one)| has(one)).any(|(_, one)| one == name);
     if joint.coordinates.iter().all(|one| is_before(&one.name)) {
         return None;
     }
-    let (path, name) = (path_of_component(model, joint.file, list), shown(&name));
-    let text = format!("an axis of {path} has the coordinate '{name}', which is none of the joint's");
+    let (path, lost) = (path_of_component(model, joint.file, list), shown(lost));
+    let text = format!("an axis of {path} names the coordinate '{lost}', which the joint does not have");
     Some(Finding::at(&SOCKET_NOWHERE, document.position_of(list), text).with_place(&path))
 }
 

@@ -224,12 +224,14 @@ fn an_axis_with_a_coordinate_that_its_joint_does_not_have_is_found() {
         let found = found.into_iter().find(|one| one.code() == FindingCode::SocketNowhere);
         found.map(|found| found.message.to_string()).unwrap_or_default()
     };
-    let said = "an axis of /jointset/hip_r has the coordinate 'b', which is none of the joint's";
+    let said = "an axis of /jointset/hip_r names the coordinate 'b', which the joint does not have";
     assert_eq!(joint(&["a", "c"], &["a", "b"]), said);
     assert_eq!(joint(&["c"], &["b", "c"]), said);
     for (coordinates, axes) in [(&["a", "b"], &["a", "b"]), (&["b", "a"], &["a", "b"])] {
         assert_eq!(joint(coordinates, axes), "");
     }
     assert_eq!(joint(&["a"], &["a", "", "a", "b"]), "");
+    assert_eq!(joint(&["a"], &["a b"]), "");
+    assert_eq!(joint(&["a"], &["b a"]), said);
     assert_eq!(joint(&[], &["b"]), "");
 }
