@@ -123,11 +123,16 @@ fn without_effects_anywhere(model: &Model, mut findings: Vec<FindingWithRemedy>)
         let planes = model.half_spaces().into_iter().chain(model.half_spaces_inside());
         planes.flat_map(|plane| plane.orientations).any(|one| one.path == *path)
     };
+    let is_in_joint = |path: &String| {
+        path.starts_with("/jointset/") || (path.starts_with("/bodyset/") && path.matches('/').count() > 2)
+    };
     for (causes, effects) in EFFECTS {
         let found = with_codes(&findings, causes);
         let is_elsewhere = match causes {
             // The angles of a floor say nothing about bones and spheres.
             [AngleInDegrees] => found.iter().flat_map(|one| one.paths()).all(turns_floor),
+            // The names in a joint say nothing about contacts.
+            [MisnamedParameterSet, UnknownName] => found.iter().flat_map(|one| one.paths()).all(is_in_joint),
             [NotFinite] => model.gravity().is_some(),
             // Under less gravity than they are made for, spheres sink in less.
             [GravitySourcesDisagree] => {

@@ -145,8 +145,8 @@ fn what_follows_elsewhere_in_the_model_is_left_out() {
 
 #[test]
 fn what_follows_from_nothing_else_is_not_left_out() {
-    use FindingCode::{AngleInDegrees, DynamicAboveStatic, GravitySourcesDisagree, LargeFriction};
-    use FindingCode::{NoGravity, NotFinite, OddPlace, OddRadius, SunkIn};
+    use FindingCode::{AngleInDegrees, DynamicAboveStatic, GravitySourcesDisagree, IgnoredContacts};
+    use FindingCode::{LargeFriction, NoGravity, NotFinite, OddPlace, OddRadius, SunkIn, UnknownName};
     const NOTED: &str = include_str!("../../../../fixtures/check/noted.osim");
     let sphere = "ContactSphere name=\"s1_r\"";
     let far = with_text_replaced(HUMAN, sphere, " -0.01 ", " -10 ");
@@ -158,6 +158,9 @@ fn what_follows_from_nothing_else_is_not_left_out() {
         let text = with_text_replaced(&text, &force(1), "dynamic_friction>0.8", "dynamic_friction>0.9");
         with_text_replaced(&text, &force(2), "static_friction>0.8", "static_friction>80")
     });
+    let second = "<ForceSet><objects><HuntCrossleyForce name=\"more\"/></objects></ForceSet></Model>";
+    let second = HUMAN.replace("</Model>", second);
+    let misspelt = with_text_replaced(&second, "\"leg_r\"", "<frames>", "<revers>false</revers><frames>");
     for (text, codes) in [
         (on_both_sides, [DynamicAboveStatic, LargeFriction]),
         (far.replace(">0 0 -1.5707963267948966<", ">0 0 -90<"), [AngleInDegrees, OddPlace]),
@@ -168,6 +171,7 @@ fn what_follows_from_nothing_else_is_not_left_out() {
             NOTED.replace("0 -9.81 0", "0 -8 0").replace("4.4876e7", "4.4876e4"),
             [GravitySourcesDisagree, SunkIn],
         ),
+        (misspelt, [IgnoredContacts, UnknownName]),
     ] {
         let found = check_text(&text);
         assert!(codes.into_iter().all(|code| has(&found, code)), "{:?}", found.findings);
