@@ -269,7 +269,7 @@ fn a_transition_velocity_without_a_number_is_also_found_in_the_older_class() {
         assert!(found.contains(&code), "{text}: {found:?}");
         assert!(code != "not-finite" || !found.contains(&"odd-transition-velocity"), "{text}: {found:?}");
     }
-    let text = older.replace("_friction>0.80000000000000004<", "_friction>inf<");
+    let text = older.replace("dynamic_friction>0.80000000000000004<", "dynamic_friction>inf<");
     let codes = codes_of(&Model::parse(text).unwrap());
     assert!(codes.contains(&"not-finite"), "{codes:?}");
     assert!(!codes.iter().any(|code| ["large-friction", "dynamic-above-static"].contains(code)), "{codes:?}");
