@@ -226,6 +226,13 @@ fn a_model_that_cannot_be_compared_says_why() {
     let why = found.findings.iter().find(|one| one.code() == FindingCode::SpheresNotCompared).unwrap();
     let expected = "is on tibia_r, and on calcn_r in the model that was scaled";
     assert!(why.message.to_string().contains(expected), "{}", why.message);
+    // Of spheres on the other foot the difference of the sides says so.
+    let swapped = ["heel", "ball", "toe"].iter().fold(SCALED_MODEL.to_owned(), |text, name| {
+        let sphere = |side: &str| format!("ContactSphere name=\"{name}_{side}\"");
+        let text = text.replace(&sphere("r"), &sphere("?")).replace(&sphere("l"), &sphere("r"));
+        text.replace(&sphere("?"), &sphere("l"))
+    });
+    assert_eq!(codes_found(&check_text(&swapped, Some(GENERIC_MODEL))), []);
     // Also if the bones are others, and if the other model has no spheres.
     let other_legs = RIGHT_PLACES.replace("0 -0.9 0.1<", "0.3 -0.9 0.1<").replace("\"mtp_l\"", "\"ball_l\"");
     let (bones, _) = other_legs.split_once("<ForceSet").unwrap();
