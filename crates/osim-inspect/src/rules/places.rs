@@ -1,6 +1,6 @@
 //! Rules about the places of spheres, compared with the model before scaling if the caller gives it, else by this file alone.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
 use osim_model::compare::{PlacedSphere, SpherePlacements, is_stretched};
 use osim_model::messages::{Input, Verb, counted, listed, phrase, readable, shown, three_significant};
@@ -337,27 +337,31 @@ pub(super) fn find_toes_at_ankle(sides: &BothSides<'_>) -> Option<Finding> {
     finding_about_spheres(&SPHERES_MISPLACED, text, near.iter().map(|(_, sphere)| *sphere))
 }
 
-/// The finding that spheres with a side and a name as those of feet are on the trunk, while others are on the feet.
+/// The finding that spheres with a side and a name as those of feet are on the trunk, while others are on the feet. Spheres of a seat can be
+/// in one series with those of the feet: they are lower in their body.
 pub(super) fn find_foot_spheres_on_trunk(sides: &BothSides<'_>) -> Option<Finding> {
     let bones = BodyBones::of(sides.model)?;
-    let is_on_trunk = |(sphere, body): &(&Sphere, &str)| {
+    let on_trunk = sides.spheres().filter(|(sphere, body, _)| {
         let has_sides = [*body, &sphere.name].map(|name| Side::of_name(name).is_some());
         let is_trunk = || has_word(body, "torso") || bones.has_foot_below(body);
         has_sides == [false, true] && is_trunk() && !bones.is_foot(body)
-    };
-    let all = || sides.spheres().map(|(sphere, body, _)| (sphere, body));
-    let mut astray: Vec<_> = all().filter(is_on_trunk).collect();
+    });
+    let mut astray: Vec<_> = on_trunk.collect();
     if astray.is_empty() {
         return None;
     }
-    let on_feet = all().filter(|(_, body)| bones.is_foot(body));
-    let of_feet: BTreeSet<String> = on_feet.map(|(sphere, _)| series_of(&sphere.name)).collect();
-    let is_named_so = |name: &str| FOOT_WORDS.iter().any(|word| has_word(name, word));
-    astray.retain(|(sphere, _)| is_named_so(&sphere.name) || of_feet.contains(&series_of(&sphere.name)));
-    let (first, body) = astray.first().filter(|_| !of_feet.is_empty())?;
+    let on_feet = sides.spheres().filter(|(_, body, _)| bones.is_foot(body));
+    let of_feet = on_feet.map(|(sphere, _, place_m)| (series_of(&sphere.name), place_m.y));
+    let of_feet: Vec<_> = of_feet.collect();
+    astray.retain(|(sphere, _, place_m)| {
+        let (series, radius_m) = (series_of(&sphere.name), sphere.radius_m().unwrap_or_default());
+        FOOT_WORDS.iter().any(|word| has_word(&sphere.name, word))
+            || of_feet.iter().any(|(other, y_m)| *other == series && (place_m.y - y_m).abs() < radius_m)
+    });
+    let (first, body, _) = astray.first().filter(|_| !of_feet.is_empty())?;
     let more = other_cases_in_words(astray.len(), "another sphere, too", "other spheres, too");
     let text = format!("{} belongs to a foot, and is on {}{more}", shown(&first.name), shown(body));
-    finding_about_spheres(&SPHERES_MISPLACED, text, astray.iter().map(|(sphere, _)| *sphere))
+    finding_about_spheres(&SPHERES_MISPLACED, text, astray.iter().map(|(sphere, ..)| *sphere))
 }
 
 rule! { pub(super) SPHERES_NOT_COMPARED: SpheresNotCompared, Remark, Sizes;

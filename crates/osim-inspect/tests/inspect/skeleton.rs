@@ -197,7 +197,12 @@ fn spheres_with_names_as_on_feet_are_found_on_the_pelvis() {
     };
     let on_pelvis = with_spheres_on("/bodyset/pelvis", &names);
     assert_eq!(found(&on_pelvis), names);
-    // Spheres with other names are meant to be there.
+    // Spheres with other names are meant to be there, and those at the height of a seat.
+    let at_seat = names.iter().fold(on_pelvis.clone(), |text, name| {
+        let (before, sphere) = text.split_at(text.find(&format!("<ContactSphere name=\"{name}\">")).unwrap());
+        format!("{before}{}", sphere.replacen(" -0.01 ", " -0.12 ", 1))
+    });
+    assert!(found(&at_seat).is_empty());
     let on_seat = names.iter().fold(on_pelvis, |text, name| {
         let other = name.replace('s', "seat");
         let text = text.replace(&format!("\"{name}\""), &format!("\"{other}\""));
