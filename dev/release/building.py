@@ -57,10 +57,11 @@ def write(path, data):
 def environment(target):
     """The variables under which Cargo builds for `target`.
 
-    Where this machine keeps its sources is nobody's business, and would differ from machine to machine.
+    Where this machine keeps its sources is nobody's business, and would differ from machine to machine. Libraries keep what the last
+    step of a program needs to optimize across them; Python's module, which is made of the same ones, does without.
     """
     cargo = os.environ.get("CARGO_HOME") or Path.home() / ".cargo"
-    flags = [f"--remap-path-prefix={ROOT}=.", f"--remap-path-prefix={cargo}=cargo"]
+    flags = ["-Cembed-bitcode=yes", f"--remap-path-prefix={ROOT}=.", f"--remap-path-prefix={cargo}=cargo"]
     # Those of a distribution, such as conda-forge, stay.
     encoded = os.environ.get("CARGO_ENCODED_RUSTFLAGS")
     given = encoded.split("\x1f") if encoded else os.environ.get("RUSTFLAGS", "").split()
@@ -74,10 +75,12 @@ def program(target, target_directory, *, static, names=False):
 
     It is built with the Python package's own libraries, so that they are compiled once. A `static` program needs no library of the
     system, and only its last step is another one: the libraries of Linux and Windows are chosen there. In that step the names of functions
-    are left out, too, a fifth of the program, unless it is asked for them: they show where time goes (tests/growth).
+    are left out, too, a fifth of the program, unless it is asked for them: they show where time goes (tests/growth). Optimized across
+    crates, it is a fifth smaller, and a model or a library takes 6 to 9 % less time.
     """
     command = ["cargo", "rustc", "--release", "--locked", "--package", COMMAND, "--bin", COMMAND]
-    flags = ["-C", "target-feature=+crt-static"] if static and ("linux" in target or "windows" in target) else []
+    flags = ["-C", "lto=fat"]
+    flags += ["-C", "target-feature=+crt-static"] if static and ("linux" in target or "windows" in target) else []
     # At a fixed place in memory its start fills in no addresses, which took a sixth of the time of one small model.
     flags += ["-C", "relocation-model=static"] if static and "linux" in target else []
     flags += [] if names else ["-C", "strip=symbols"]
