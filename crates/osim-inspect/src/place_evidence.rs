@@ -70,6 +70,11 @@ impl PlaceEvidence {
     }
 }
 
+/// Whether feet that are scaled, or not, show that the `original` is the scaled one: `model` was not made from it.
+pub fn are_feet_exchanged(model: &Model, original: Option<bool>) -> bool {
+    original == Some(true) && are_feet_scaled(model) == Some(false)
+}
+
 /// Whether the meshes of a foot with spheres are scaled; `None` if no foot with spheres has meshes of a known size.
 pub fn are_feet_scaled(model: &Model) -> Option<bool> {
     let bones = BodyBones::of(model)?;

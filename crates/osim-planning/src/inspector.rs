@@ -5,8 +5,8 @@ use std::path::{Path, PathBuf};
 
 use contact_scaling::Ratios;
 use osim_inspect::{
-    CheckResult, FindingWithRemedy, InspectOptions, Inspection, ReferenceContacts, SizeList, are_feet_scaled,
-    check_without_remedies, find_misplaced_spheres, unexplained_mass,
+    CheckResult, FindingWithRemedy, InspectOptions, Inspection, ReferenceContacts, SizeList,
+    are_feet_exchanged, are_feet_scaled, check_without_remedies, find_misplaced_spheres, unexplained_mass,
 };
 use osim_model::compare::{Factors, ModelSize, ScaleFile, Similarity, SpherePlacements, moco_bounds};
 use osim_model::files::{Failure, FileName, Files, OpenModel};
@@ -297,11 +297,10 @@ impl Inspector {
         let fits = (fits_known_contacts(inspection), generic.fits_contacts);
         let other_left_behind = generic.codes.contains(&FindingCode::SpheresLeftBehind);
         let alone = other_left_behind && find_misplaced_spheres(model).is_none();
-        let are_scaled = || (are_feet_scaled(model), generic.has_scaled_feet);
         if placement.was_left_behind() && (alone || fits == (Some(true), Some(false))) {
             let why = "the contacts of this model fit its body, and those of the other one do not: the two are swapped";
             placement = placement.of_wrong_model(why.into());
-        } else if placement.was_left_behind() && are_scaled() == (Some(false), Some(true)) {
+        } else if placement.was_left_behind() && are_feet_exchanged(model, generic.has_scaled_feet) {
             let why =
                 "the bones of the other one are scaled, and those of this model are not: the two are swapped";
             placement = placement.of_wrong_model(why.into());

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use contact_scaling::Ratios;
-use osim_inspect::{LoadSharing, are_feet_scaled};
+use osim_inspect::{LoadSharing, are_feet_exchanged};
 use osim_model::compare::{Factors, Follow, FollowRequest, OwnRadii, SpherePlacements};
 use osim_model::files::{Failure, Files};
 use osim_model::messages::{Input, Verb, phrase};
@@ -241,9 +241,7 @@ impl TransferPlanner {
         reference: &Reference,
         generic: Option<&GenericModel>,
     ) -> Result<Plan, Fault> {
-        let was_scaled = |generic: &GenericModel| {
-            generic.has_scaled_feet == Some(true) && are_feet_scaled(model) == Some(false)
-        };
+        let was_scaled = |generic: &GenericModel| are_feet_exchanged(model, generic.has_scaled_feet);
         let original = self.original.as_ref().filter(|_| generic.is_none_or(was_scaled));
         let stayed = original.is_some_and(|original| are_left_behind(model, original));
         if stayed && generic.is_some() {
