@@ -44,6 +44,8 @@ pub(super) fn apply_value_rules(model: &Model) -> Vec<Finding> {
     parameters.chain(radii).chain(masses).filter_map(finding).collect()
 }
 
+const WRITTEN_TWICE: &str = "is written twice, and OpenSim reads the first: take one of them out";
+
 /// Finds texts of numbers and flags that OpenSim reads as other values than are written, or that are not finite. OpenSim silently takes its
 /// default if it cannot read a text.
 pub(super) fn find_misread_texts(model: &Model) -> Vec<Finding> {
@@ -121,7 +123,7 @@ pub(super) fn find_misread_texts(model: &Model) -> Vec<Finding> {
                     let [read, own] = [first().filter(is_one)?, of_text].map(|id| tree.text_of(id));
                     let numbers = plain_numbers(&read);
                     let differs = read != own && (numbers.is_none() || numbers != plain_numbers(&own));
-                    differs.then(|| (&ODD_NUMBER, "is written twice, and OpenSim reads the first".to_owned()))
+                    differs.then(|| (&ODD_NUMBER, WRITTEN_TWICE.to_owned()))
                 };
                 let fault = misread.filter(|_| first().is_none());
                 if let Some((rule, text)) = fault.or_else(|| is_repeated.then(unread).flatten()) {

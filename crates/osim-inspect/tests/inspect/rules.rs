@@ -245,7 +245,10 @@ fn a_number_that_is_written_twice_is_reported_if_the_two_differ() {
             "dissipation of /forceset/contact_r/contact_parameters",
         ),
     ] {
-        assert_eq!(found(element, second), [format!("{what} is written twice, and OpenSim reads the first")]);
+        assert_eq!(
+            found(element, second),
+            [format!("{what} is written twice, and OpenSim reads the first: take one of them out")]
+        );
         assert_eq!(found(element, element), [""; 0]);
         assert_eq!(found(element, &element.replace("</", "e0</")), [""; 0]);
     }
