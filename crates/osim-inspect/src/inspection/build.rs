@@ -37,7 +37,7 @@ impl InspectOptions {
         self.inspect_with(name, model, None, InspectedFor::Rules)
     }
 
-    /// Inspects a model.
+    /// Inspects a model for readers, or for the rules alone.
     fn inspect_with(
         &self,
         name: impl Into<FileName>,

@@ -241,7 +241,7 @@ pub struct Couplers {
 }
 
 impl Couplers {
-    /// The coupler constraints of `model`, read at first use.
+    /// The coupler constraints of `model`, which are read once for all models that share its bodies.
     pub fn of(model: &Model) -> &Self {
         model.derived_from_bodies(Self::read)
     }

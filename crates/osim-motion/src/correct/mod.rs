@@ -111,21 +111,21 @@ pub fn correct(
     weight_n: f64,
     options: &CorrectionOptions,
 ) -> Result<Correction, CorrectionError> {
-    let couplers = Couplers::of(model).clone();
+    let couplers = Couplers::of(model);
     // Locked coordinates are at their defaults, and speeds follow from the values, as OpenSim's tools take them.
-    let locked = recording.changed(&couplers, |_, values, _| {
+    let locked = recording.changed(couplers, |_, values, _| {
         for (value, coordinate) in values.iter_mut().zip(&recording.coordinates) {
             if let Some(default) = coordinate.default.filter(|_| coordinate.locked) {
                 *value = default;
             }
         }
     })?;
-    let unmoved = locked.with_splined_speeds(&couplers, |_| true)?;
+    let unmoved = locked.with_splined_speeds(couplers, |_| true)?;
     let floor = feet.first().and_then(|foot| foot.floor(states));
     let (normal, on_floor_m) = floor.ok_or(CorrectionError::NoForce)?;
     let forward = (DVec3::X - normal * normal.x).try_normalize().unwrap_or(DVec3::Z);
     let level = [forward, forward.cross(normal)];
-    let found = find_coordinates(model, &unmoved, &couplers, states, (feet, normal))?;
+    let found = find_coordinates(model, &unmoved, couplers, states, (feet, normal))?;
     let root = found.corrected.first().ok_or(CorrectionError::NoRootHeight)?.index;
     let goal = |foot: usize, wrench: &Wrench| PlateGoal {
         normal_n: wrench.force_n.dot(normal).max(0.0),
@@ -183,12 +183,12 @@ pub fn correct(
     let frame_s = time_s / unmoved.frames() as f64;
     let knots_s = knot_distance_s(shortest_stance_s(&unmoved.time_s, &goals, weight_n), frame_s);
     let original = match options.floor_up_m {
-        Some(up_m) => unmoved.changed(&couplers, |_, values, _| values[root] -= up_m)?,
+        Some(up_m) => unmoved.changed(couplers, |_, values, _| values[root] -= up_m)?,
         None => unmoved.clone(),
     };
     let setting = CorrectionInputs {
         basis: SplineBasis::new(&original.time_s, knots_s),
-        centre_of_mass: masses.centre_slopes(&original, &couplers, &found.corrected)?,
+        centre_of_mass: masses.centre_slopes(&original, couplers, &found.corrected)?,
         coordinates: found.corrected.clone(),
         feet: goals,
         level,
@@ -211,14 +211,14 @@ pub fn correct(
     let figures = CorrectionFigures::new(&setting, both, (feet, measured), floor, found_values);
     let motions = [(&unmoved, &before), (&in_place, &after)];
     let dynamics =
-        InverseDynamics::compare(&masses, &search.couplers, motions, (feet, measured), &found, weight_n)?;
+        InverseDynamics::compare(&masses, search.couplers, motions, (feet, measured), &found, weight_n)?;
     let way_m = belt.way_m(&in_place.time_s);
     let follow = |way: DVec3| found.level.iter().map(|(_, along)| way.dot(*along) * *along).sum::<DVec3>();
     let belt_m_s = way_m.last().copied().unwrap_or_default() / time_s;
     if (belt_m_s - follow(belt_m_s)).length() > LARGEST_UNFOLLOWED_BELT_M_S {
         return Err(CorrectionError::NoRootAlongBelt);
     }
-    let recording = in_place.changed(&search.couplers, |frame, values, _| {
+    let recording = in_place.changed(search.couplers, |frame, values, _| {
         found.level.iter().for_each(|(index, along)| values[*index] -= way_m[frame].dot(*along));
     })?;
     let root_height = recording.coordinates[root].name.clone();
@@ -229,7 +229,7 @@ pub fn correct(
 /// The model, its recording and its contacts, for which a correction is searched.
 struct Search<'s> {
     model: &'s Model,
-    couplers: Couplers,
+    couplers: &'s Couplers,
     original: Recording,
     states: &'s ContactStates,
     feet: &'s [Foot],
@@ -251,7 +251,7 @@ impl Search<'_> {
             let parts = (self.feet, setting.coordinates.as_slice());
             let (model, states) = (self.model, self.states);
             let slopes =
-                FootSlopes::all(model, (&moved, &self.belt), &self.couplers, states, parts, setting.level)?;
+                FootSlopes::all(model, (&moved, &self.belt), self.couplers, states, parts, setting.level)?;
             let mut problem = StageProblem::new(setting, slopes, unknowns.clone());
             let ends = pass >= LEAST_PASSES
                 && (problem.cost(unknowns) - cost).abs() <= LARGEST_COST_CHANGE_AT_END * cost;
@@ -279,14 +279,14 @@ impl Search<'_> {
         unknowns: &[f64],
     ) -> Result<Recording, CorrectionError> {
         let floor_up_m = unknowns[setting.coefficients()];
-        let moved = self.original.changed(&self.couplers, |frame, values, _| {
+        let moved = self.original.changed(self.couplers, |frame, values, _| {
             let corrections = setting.corrections(unknowns, frame, 0);
             for (coordinate, by) in setting.coordinates.iter().zip(corrections) {
                 values[coordinate.index] += if coordinate.foot.is_none() { by - floor_up_m } else { by };
             }
         })?;
         let is_corrected = |index: &usize| setting.coordinates.iter().any(|one| one.index == *index);
-        Ok(moved.with_splined_speeds(&self.couplers, is_corrected)?)
+        Ok(moved.with_splined_speeds(self.couplers, is_corrected)?)
     }
 }
 
@@ -320,10 +320,10 @@ pub fn flat_feet(
     states: &ContactStates,
     feet: &[Foot],
 ) -> Result<Vec<(String, f64)>, StatesError> {
-    let couplers = Couplers::of(model).clone();
-    let default = recording.default_pose(&couplers)?;
+    let couplers = Couplers::of(model);
+    let default = recording.default_pose(couplers)?;
     let Some(normal) = states.frame(0).first().map(|state| state.normal) else { return Ok(Vec::new()) };
-    let coordinates = find_coordinates(model, &default, &couplers, states, (feet, normal))?.corrected;
+    let coordinates = find_coordinates(model, &default, couplers, states, (feet, normal))?.corrected;
     let mut pose = default.clone();
     for (number, foot) in feet.iter().enumerate() {
         let bottoms = |pose: &Recording| -> Result<Vec<DVec3>, StatesError> {
@@ -352,7 +352,7 @@ pub fn flat_feet(
         let angles: Vec<usize> = (0..coordinates.len()).rev().filter(|&angle| is_own(angle)).collect();
         for angle in std::iter::repeat_n(angles, ROUNDS).flatten() {
             let index = coordinates[angle].index;
-            let turned = |by: f64| pose.changed(&couplers, |_, values, _| values[index] += by);
+            let turned = |by: f64| pose.changed(couplers, |_, values, _| values[index] += by);
             let before = errors(&pose)?;
             let after = errors(&turned(NUDGE_RAD)?)?;
             let slope = |(after, before): (&f64, &f64)| (after - before) / NUDGE_RAD;
