@@ -22,7 +22,7 @@ use serde_json::{Value, json};
 
 use crate::given_files::GivenFiles;
 use crate::opened_model::{FindingShown, OpenedModel, VerdictWithQuestion, sha256};
-use crate::problem::Problem;
+use crate::problem::{Problem, Result};
 
 /// Sections of the page that are made again while the user moves a slider: they need only the plan and the drawings of the model.
 const QUICK_SECTIONS: [&str; 5] = ["changes", "plots", "state", SCENE_SECTION, FALLS_SECTION];
@@ -81,7 +81,7 @@ impl PlannedChange {
         opened: Rc<OpenedModel>,
         given_files: &GivenFiles,
         words: &'static dyn FrontEnd,
-    ) -> Result<Self, Problem> {
+    ) -> Result<Self> {
         let (mut plan, changed) =
             change.plan_with_result(&opened.model, given_files, Plan::model_to_inspect)?;
         plan.spell(words);
@@ -123,7 +123,7 @@ impl PlannedChange {
     }
 
     /// The model before and after the change.
-    fn before_after(&self, with_feet: bool, given_files: &GivenFiles) -> Result<BeforeAfter, Problem> {
+    fn before_after(&self, with_feet: bool, given_files: &GivenFiles) -> Result<BeforeAfter> {
         let opened = &self.opened.model;
         let mut before_after = BeforeAfter::of_plan(
             &self.change,
@@ -160,11 +160,7 @@ impl PlannedChange {
     ///
     /// # Errors
     /// The new model cannot be read, which would be a defect.
-    pub(crate) fn shown(
-        &self,
-        wanted: Option<&[String]>,
-        given_files: &GivenFiles,
-    ) -> Result<ChangeShown, Problem> {
+    pub(crate) fn shown(&self, wanted: Option<&[String]>, given_files: &GivenFiles) -> Result<ChangeShown> {
         let wants = |id: &str| wanted.is_none_or(|wanted| wanted.iter().any(|one| one == id));
         let quick =
             wanted.is_some_and(|wanted| wanted.iter().all(|one| QUICK_SECTIONS.contains(&one.as_str())));
@@ -229,7 +225,7 @@ impl PlannedChange {
     ///
     /// # Errors
     /// The new model cannot be read, which would be a defect.
-    pub(crate) fn entry(&self, given_files: &GivenFiles) -> Result<Entry, Problem> {
+    pub(crate) fn entry(&self, given_files: &GivenFiles) -> Result<Entry> {
         let before_after = self.before_after(true, given_files)?;
         let plan = &self.plan;
         let status = if plan.is_empty() { "unchanged" } else { "written" };
@@ -255,7 +251,7 @@ pub(crate) fn report_name(path: &Path) -> String {
 
 /// The report about one model for the page to download, its name and its text; `command` is the call of the command that writes the same
 /// report.
-pub(crate) fn report(verb: Verb, model: &Path, command: String, entry: Entry) -> Result<Value, Problem> {
+pub(crate) fn report(verb: Verb, model: &Path, command: String, entry: Entry) -> Result<Value> {
     let columns = if verb == Verb::Inspect { Columns::Inspections } else { Columns::Changes };
     let head = PageHead { verb, model: Some(model.display().to_string()), columns, call: command };
     let mut page = Page::new(head, DeferredParts::<String>::default(), &CommandLine);

@@ -18,7 +18,7 @@ use crate::change::{self, PlannedChange, report_name};
 use crate::given_files::GivenFiles;
 use crate::knowledge::{self, EngineCall, Fields};
 use crate::opened_model::{self, OpenedModel};
-use crate::problem::Problem;
+use crate::problem::{Problem, Result};
 use crate::recording::{CorrectedRecording, play_recording};
 
 /// Most models that stay open, because the page looks at one model and compares it with others.
@@ -95,12 +95,12 @@ impl Engine {
 }
 
 /// An answer without error, in JSON.
-fn ok_answer(answer: impl Serialize) -> Result<String, Problem> {
+fn ok_answer(answer: impl Serialize) -> Result<String> {
     serde_json::to_string(&BTreeMap::from([("ok", answer)])).map_err(Problem::defect)
 }
 
 impl Engine {
-    fn answer(&mut self, call: EngineCall) -> Result<String, Problem> {
+    fn answer(&mut self, call: EngineCall) -> Result<String> {
         match call {
             EngineCall::Look { model, fields, parts } => {
                 let inspector = opened_model::inspector(&model, fields, &self.files)?;
@@ -152,7 +152,7 @@ impl Engine {
         Ok(opened)
     }
 
-    fn plan(&mut self, request: Request, words: &'static dyn FrontEnd) -> Result<PlannedChange, Problem> {
+    fn plan(&mut self, request: Request, words: &'static dyn FrontEnd) -> Result<PlannedChange> {
         let change: PreparedChange = prepare(request, &self.files)?;
         let [path] = change.models.as_slice() else {
             return Err(Problem::wrong_call("a change is of one model"));
@@ -161,12 +161,12 @@ impl Engine {
         PlannedChange::new(change, opened, &self.files, words)
     }
 
-    fn last_change(&self) -> Result<&PlannedChange, Problem> {
+    fn last_change(&self) -> Result<&PlannedChange> {
         self.last.as_ref().ok_or_else(|| Problem::wrong_call("there is no change yet"))
     }
 
     /// Adds the results of the last change to the files in memory.
-    fn keep_last_change(&mut self) -> Result<String, Problem> {
+    fn keep_last_change(&mut self) -> Result<String> {
         let planned = self.last.take().ok_or_else(|| Problem::wrong_call("there is no change yet"))?;
         let mut names = Vec::new();
         if planned.is_unchanged() {
@@ -181,7 +181,7 @@ impl Engine {
     }
 
     /// The same report that the command writes for these `fields` of a request.
-    fn report(&mut self, mut fields: Fields) -> Result<Value, Problem> {
+    fn report(&mut self, mut fields: Fields) -> Result<Value> {
         let request = Request::from_map(fields.clone())?;
         let verb = request.verb();
         let (path, entry) = if let Request::Inspect(request) = &request {

@@ -10,10 +10,10 @@ use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value, json};
 
 use crate::given_files::GivenFiles;
-use crate::problem::Problem;
+use crate::problem::{Problem, Result};
 
 /// What `design` computes without a model: its sheet, and the same as text.
-pub(crate) fn calculate(request: &Request) -> Result<Value, Problem> {
+pub(crate) fn calculate(request: &Request) -> Result<Value> {
     let Request::Design(request) = request else {
         return Err(Problem::wrong_call("only a request for design calculates without a model"));
     };
@@ -30,7 +30,7 @@ pub(crate) struct PresetShown {
 }
 
 /// The presets of this program, or the presets in a file of the user.
-pub(crate) fn presets(mut fields: Fields, files: &GivenFiles) -> Result<Vec<PresetShown>, Problem> {
+pub(crate) fn presets(mut fields: Fields, files: &GivenFiles) -> Result<Vec<PresetShown>> {
     fields.insert("verb".to_owned(), "presets".into());
     let Request::Presets(request) = Request::from_map(fields)? else { return Ok(Vec::new()) };
     let presets = find_presets(&request, files)?;
@@ -38,7 +38,7 @@ pub(crate) fn presets(mut fields: Fields, files: &GivenFiles) -> Result<Vec<Pres
     Ok(presets.iter().map(shown).collect())
 }
 
-pub(crate) fn explain(topic: &str) -> Result<String, Problem> {
+pub(crate) fn explain(topic: &str) -> Result<String> {
     let fields = [("verb", "explain"), ("topics", topic)];
     let fields: Fields = fields.map(|(name, value)| (name.to_owned(), value.into())).into_iter().collect();
     let Request::Explain(request) = Request::from_map(fields)? else { return Ok(String::new()) };

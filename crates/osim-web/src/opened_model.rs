@@ -18,7 +18,7 @@ use sha2::{Digest, Sha256};
 
 use crate::given_files::GivenFiles;
 use crate::knowledge::Fields;
-use crate::problem::Problem;
+use crate::problem::{Problem, Result};
 
 /// An opened model, with the files of a standalone force set or geometry set.
 pub(crate) struct OpenedModel {
@@ -103,11 +103,7 @@ impl FindingShown {
 }
 
 /// The inspector for a model. If `from` names the model that it was scaled from, the inspector compares both.
-pub(crate) fn inspector(
-    model: &str,
-    mut fields: Fields,
-    given_files: &GivenFiles,
-) -> Result<Inspector, Problem> {
+pub(crate) fn inspector(model: &str, mut fields: Fields, given_files: &GivenFiles) -> Result<Inspector> {
     let verb = if fields.contains_key("from") { Verb::Check } else { Verb::Inspect };
     fields.insert("models".to_owned(), model.into());
     match Request::read(verb, fields)? {
@@ -123,7 +119,7 @@ fn inspect_and_check(
     opened: &OpenedModel,
     given_files: &GivenFiles,
     words: &dyn FrontEnd,
-) -> Result<(Inspection, CheckResult), Problem> {
+) -> Result<(Inspection, CheckResult)> {
     let mut inspection = inspector.inspect(&opened.model)?;
     let mut found = inspector.check(&opened.model.model, &inspection, None, given_files);
     inspection.spell(words);
@@ -144,7 +140,7 @@ pub(crate) fn inspect_for_page(
     opened: &OpenedModel,
     wanted: Option<&[String]>,
     given_files: &GivenFiles,
-) -> Result<InspectedModel, Problem> {
+) -> Result<InspectedModel> {
     let (inspection, found) = inspect_and_check(inspector, opened, given_files, &Page)?;
     let wants = |id: &str| wanted.is_none_or(|wanted| wanted.iter().any(|one| one == id));
     let feet = wants("feet").then(|| feet(inspector, opened, given_files)).flatten();
@@ -188,7 +184,7 @@ pub(crate) fn entry(
     opened: &OpenedModel,
     given_files: &GivenFiles,
     words: &dyn FrontEnd,
-) -> Result<Entry, Problem> {
+) -> Result<Entry> {
     let (inspection, found) = inspect_and_check(inspector, opened, given_files, words)?;
     let shown = InspectedModelOnPage {
         options: &inspector.options,

@@ -53,6 +53,9 @@ impl MarkedLine {
     }
 }
 
+/// What an answer to the page needs, or its problem.
+pub(crate) type Result<T, E = Problem> = std::result::Result<T, E>;
+
 impl Problem {
     /// The error for a wrong call, which is a defect of the page.
     pub(crate) fn wrong_call(message: impl Into<Phrase>) -> Self {

@@ -9,9 +9,9 @@ use osim_view::report::results::corrected_files;
 use serde::Serialize;
 
 use crate::given_files::GivenFiles;
-use crate::problem::Problem;
+use crate::problem::{Problem, Result};
 
-fn motion_request(request: Request) -> Result<Box<MotionRequest>, Problem> {
+fn motion_request(request: Request) -> Result<Box<MotionRequest>> {
     match request {
         Request::Motion(request) => Ok(request),
         other => Err(Problem::wrong_call(format!("{} follows no recording", other.verb().name()))),
@@ -19,7 +19,7 @@ fn motion_request(request: Request) -> Result<Box<MotionRequest>, Problem> {
 }
 
 /// The motion of a model along a recording, frame by frame.
-pub(crate) fn play_recording(request: Request, given_files: &GivenFiles) -> Result<PlayedRecording, Problem> {
+pub(crate) fn play_recording(request: Request, given_files: &GivenFiles) -> Result<PlayedRecording> {
     let request = motion_request(request)?;
     Ok(PlayedRecording::of(&run_motion(&request, given_files)?, &request, &Page))
 }
@@ -43,7 +43,7 @@ impl CorrectedRecording {
     ///
     /// # Errors
     /// The recording cannot be corrected, or a file has the name of a new one.
-    pub(crate) fn correct(request: Request, given_files: &mut GivenFiles) -> Result<Self, Problem> {
+    pub(crate) fn correct(request: Request, given_files: &mut GivenFiles) -> Result<Self> {
         let mut request = motion_request(request)?;
         let result = run_motion(&request, given_files)?;
         let (Some(judged), Some(path)) = (&result.consistency, request.correct.take()) else {

@@ -2,7 +2,7 @@
 
 use rmpfit::{MPConfig, MPFitter, MPPar, MPResult, MPSide, MPSuccess};
 
-use super::measurement::{FitError, Parameter, Point};
+use super::measurement::{FitError, Parameter, Point, Result};
 
 /// The choice of fitted parameters, and the factor K = n 4/3 √R (`gain`).
 #[derive(Debug, Clone, Copy)]
@@ -76,11 +76,7 @@ impl FitModel {
 const SMALLEST_SINE_BETWEEN_COLUMNS: f64 = 1e-6;
 
 /// The least-squares parameters for a known onset.
-pub(super) fn solve_with_known_onset(
-    model: &FitModel,
-    points: &[Point],
-    onset: f64,
-) -> Result<Parameters, FitError> {
+pub(super) fn solve_with_known_onset(model: &FitModel, points: &[Point], onset: f64) -> Result<Parameters> {
     let needed = model.names().len() + 1;
     let found = points.iter().filter(|p| p.indentation > onset).count();
     if found < needed {
@@ -118,7 +114,7 @@ fn dot_product(a: &[f64], b: &[f64]) -> f64 {
 const SCANNED_ONSETS: u32 = 64;
 
 /// The least-squares parameters with a fitted onset.
-pub(super) fn solve_with_onset(model: &FitModel, points: &[Point]) -> Result<Parameters, FitError> {
+pub(super) fn solve_with_onset(model: &FitModel, points: &[Point]) -> Result<Parameters> {
     let (low, high) = value_range(points.iter().map(|p| p.indentation));
     let start = best_of_tried_onsets(model, points, low, high)?;
     let force = points.iter().fold(0.0, |most: f64, p| most.max(p.force.abs()));
@@ -139,12 +135,7 @@ pub(super) fn solve_with_onset(model: &FitModel, points: &[Point]) -> Result<Par
 }
 
 /// The best of some onsets, each with its closed-form parameters.
-fn best_of_tried_onsets(
-    model: &FitModel,
-    points: &[Point],
-    low: f64,
-    high: f64,
-) -> Result<Parameters, FitError> {
+fn best_of_tried_onsets(model: &FitModel, points: &[Point], low: f64, high: f64) -> Result<Parameters> {
     let needed = model.names().len() + 1;
     if points.len() < needed {
         return Err(FitError::TooFewPoints { found: points.len(), needed });
@@ -155,7 +146,7 @@ fn best_of_tried_onsets(
     // From half the range before the first row, since the whole measurement may be in contact.
     let onsets = (0..SCANNED_ONSETS)
         .map(|i| low + (high - low) * (1.5 * f64::from(i) / f64::from(SCANNED_ONSETS) - 0.5));
-    let mut best: Result<(f64, Parameters), FitError> = Err(FitError::NotConverged);
+    let mut best: Result<(f64, Parameters)> = Err(FitError::NotConverged);
     for onset in onsets {
         match solve_with_known_onset(model, points, onset) {
             Ok(fitted) if fitted.modulus > 0.0 => {

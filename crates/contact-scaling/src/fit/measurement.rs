@@ -82,6 +82,9 @@ impl Parameter {
     }
 }
 
+/// The result of a step of a fit.
+pub(super) type Result<T, E = FitError> = std::result::Result<T, E>;
+
 /// The reason why a measurement has no fit. Rows are numbered from 0.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 #[non_exhaustive]
@@ -181,10 +184,7 @@ pub(super) struct Point {
 }
 
 /// The rows of the branch to fit, as points.
-pub(super) fn points_of_branch(
-    measurement: &Measurement<'_>,
-    branch: FittedBranch,
-) -> Result<Vec<Point>, FitError> {
+pub(super) fn points_of_branch(measurement: &Measurement<'_>, branch: FittedBranch) -> Result<Vec<Point>> {
     let Measurement { indentation_m, force_n, rate } = measurement;
     refuse_bad_column("indentation", indentation_m, indentation_m.len())?;
     refuse_bad_column("force", force_n, indentation_m.len())?;
@@ -216,7 +216,7 @@ pub(super) fn points_of_branch(
     Ok((0..indentation_m.len()).filter(|&row| is_in_branch(row)).map(point).collect())
 }
 
-fn refuse_bad_column(column: &'static str, values: &[f64], expected: usize) -> Result<(), FitError> {
+fn refuse_bad_column(column: &'static str, values: &[f64], expected: usize) -> Result<()> {
     if values.len() != expected {
         return Err(FitError::Lengths { column, rows: values.len(), expected });
     }
@@ -232,7 +232,7 @@ fn deepest_row(indentation: &[f64]) -> usize {
 }
 
 /// ẋ at each row, in m/s: the slope of the parabola through the row and its two neighbours.
-fn speeds_from_times(indentation: &[f64], times: &[f64]) -> Result<Vec<f64>, FitError> {
+fn speeds_from_times(indentation: &[f64], times: &[f64]) -> Result<Vec<f64>> {
     if let Some(row) = times.windows(2).position(|pair| pair[1] <= pair[0]) {
         return Err(FitError::TimeOrder { row });
     }

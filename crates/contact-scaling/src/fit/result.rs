@@ -3,7 +3,7 @@
 use statrs::distribution::{ContinuousCDF, StudentsT};
 
 use super::least_squares::{FitModel, Parameters};
-use super::measurement::{FitError, Parameter, Point};
+use super::measurement::{FitError, Parameter, Point, Result};
 
 /// Result of a fit: parameters, their uncertainty, and the reasons to doubt them.
 #[derive(Debug, Clone, PartialEq)]
@@ -134,7 +134,7 @@ impl Estimate {
 }
 
 /// The value t with 95 % of Student's distribution between −t and t.
-pub(super) fn student_95(degrees_of_freedom: usize) -> Result<f64, FitError> {
+pub(super) fn student_95(degrees_of_freedom: usize) -> Result<f64> {
     let student = StudentsT::new(0.0, 1.0, degrees_of_freedom as f64)
         .map_err(|_| FitError::TooFewPoints { found: degrees_of_freedom, needed: 1 })?;
     Ok(student.inverse_cdf(0.975))
@@ -146,7 +146,7 @@ pub(super) fn covariance(
     points: &[Point],
     fitted: &Parameters,
     variance: f64,
-) -> Result<Vec<Vec<f64>>, FitError> {
+) -> Result<Vec<Vec<f64>>> {
     let names = model.names();
     let rows: Vec<Vec<f64>> = points.iter().map(|p| model.force_gradient(fitted, p)).collect();
     let size = names.len();

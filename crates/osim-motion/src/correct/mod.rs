@@ -50,6 +50,9 @@ pub struct Correction {
     pub locked: Vec<String>,
 }
 
+/// A part of a correction, or the reason why there is none.
+type Result<T, E = CorrectionError> = std::result::Result<T, E>;
+
 /// Why a motion cannot be corrected.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum CorrectionError {
@@ -110,7 +113,7 @@ pub fn correct(
     measured: &MeasuredForces,
     weight_n: f64,
     options: &CorrectionOptions,
-) -> Result<Correction, CorrectionError> {
+) -> Result<Correction> {
     let couplers = Couplers::of(model);
     // Locked coordinates are at their defaults, and speeds follow from the values, as OpenSim's tools take them.
     let locked = recording.changed(couplers, |_, values, _| {
@@ -240,11 +243,7 @@ struct Search<'s> {
 impl Search<'_> {
     /// Searches the correction: reads the contacts along the motion in several passes, and makes the cost small in each, stage after
     /// stage. Returns how much higher the floor would be under the second of two feet, m, and the share of the cost that would remain.
-    fn run(
-        &self,
-        setting: &CorrectionInputs<'_>,
-        unknowns: &mut Vec<f64>,
-    ) -> Result<(f64, f64), CorrectionError> {
+    fn run(&self, setting: &CorrectionInputs<'_>, unknowns: &mut Vec<f64>) -> Result<(f64, f64)> {
         let (mut cost, mut pass) = (f64::INFINITY, 0);
         loop {
             let moved = self.corrected(setting, unknowns)?;
@@ -273,11 +272,7 @@ impl Search<'_> {
     }
 
     /// The motion after corrections; the height of the floor moves the root.
-    fn corrected(
-        &self,
-        setting: &CorrectionInputs<'_>,
-        unknowns: &[f64],
-    ) -> Result<Recording, CorrectionError> {
+    fn corrected(&self, setting: &CorrectionInputs<'_>, unknowns: &[f64]) -> Result<Recording> {
         let floor_up_m = unknowns[setting.coefficients()];
         let moved = self.original.changed(self.couplers, |frame, values, _| {
             let corrections = setting.corrections(unknowns, frame, 0);

@@ -26,7 +26,7 @@ pub(crate) struct Function {
     /// Whether the function takes one of two rules for the modulus of two surfaces: Python's keyword `rule`.
     pub takes_rule: bool,
     /// The Rust function that computes the values of the Python function.
-    pub call: fn(MixingRule, &[f64]) -> Result<f64, EquationError>,
+    pub call: fn(MixingRule, &[f64]) -> Result<f64>,
 }
 
 impl Function {
@@ -34,7 +34,7 @@ impl Function {
     ///
     /// # Errors
     /// An argument lies outside of the equation's domain, or is not finite; or the result is not finite.
-    pub(crate) fn value(&self, rule: MixingRule, arguments: &[f64]) -> Result<f64, EquationError> {
+    pub(crate) fn value(&self, rule: MixingRule, arguments: &[f64]) -> Result<f64> {
         if arguments.len() != self.parameters.len() {
             return Err(EquationError::arguments(arguments.len()));
         }
@@ -48,7 +48,7 @@ impl Function {
     ///
     /// # Errors
     /// As [`Function::value`], with the row of the refused argument; or lists that differ in length.
-    pub(crate) fn values(&self, rule: MixingRule, columns: &[&[f64]]) -> Result<Vec<f64>, EquationError> {
+    pub(crate) fn values(&self, rule: MixingRule, columns: &[&[f64]]) -> Result<Vec<f64>> {
         let names = self.parameters.iter().map(|parameter| parameter.name);
         Columns::new(names, columns)?.each(|arguments| self.value(rule, arguments))
     }
@@ -86,10 +86,7 @@ impl<'c> Columns<'c> {
     ///
     /// # Errors
     /// Lists that differ in length, or too many or too few lists.
-    pub(super) fn new(
-        names: impl Iterator<Item = &'static str>,
-        lists: &'c [&'c [f64]],
-    ) -> Result<Self, EquationError> {
+    pub(super) fn new(names: impl Iterator<Item = &'static str>, lists: &'c [&'c [f64]]) -> Result<Self> {
         let names: Vec<_> = names.collect();
         if lists.len() != names.len() {
             return Err(EquationError::arguments(lists.len()));
@@ -106,10 +103,7 @@ impl<'c> Columns<'c> {
     ///
     /// # Errors
     /// The first error of `call`, with the refused element.
-    pub(super) fn each<T>(
-        &self,
-        call: impl Fn(&[f64]) -> Result<T, EquationError>,
-    ) -> Result<Vec<T>, EquationError> {
+    pub(super) fn each<T>(&self, call: impl Fn(&[f64]) -> Result<T>) -> Result<Vec<T>> {
         let mut arguments = vec![0.0; self.lists.len()];
         let mut one = |row: usize| {
             for (argument, list) in arguments.iter_mut().zip(self.lists) {
@@ -178,6 +172,12 @@ pub(super) use {function, parameter};
 /// The name of the quantity in an error about a list that is too long or too short.
 const NUMBER_OF_ELEMENTS: &str = "the number of elements";
 
+/// An argument: its name and its value.
+type NamedValue = (&'static str, f64);
+
+/// The value of an equation, or the reason why it has none.
+pub(super) type Result<T, E = EquationError> = std::result::Result<T, E>;
+
 /// The reason why an equation has no value.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct EquationError {
@@ -208,9 +208,7 @@ impl EquationError {
     ///
     /// # Errors
     /// The first argument without a finite value: a gap in an array, or the result of a division by 0.
-    pub(super) fn unless_finite(
-        mut arguments: impl Iterator<Item = (&'static str, f64)>,
-    ) -> Result<(), Self> {
+    pub(super) fn unless_finite(mut arguments: impl Iterator<Item = NamedValue>) -> Result<(), Self> {
         let Some((name, value)) = arguments.find(|(_, value)| !value.is_finite()) else { return Ok(()) };
         Err(Self::new(Some(name), name, value, "a finite number"))
     }
@@ -245,10 +243,7 @@ impl EquationError {
     }
 
     /// Finds the refused argument: its value is the refused value, and its name is the refused quantity or ends with the same word.
-    pub(super) fn with_argument<'a>(
-        self,
-        arguments: impl Iterator<Item = (&'static str, f64)> + Clone + 'a,
-    ) -> Self {
+    pub(super) fn with_argument<'a>(self, arguments: impl Iterator<Item = NamedValue> + Clone + 'a) -> Self {
         if self.parameter.is_some() {
             return self;
         }

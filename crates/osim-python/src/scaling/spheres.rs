@@ -5,7 +5,7 @@ use contact_scaling::equilibrium::{self, RaisedSpheres};
 use contact_scaling::{DomainError, Hertz, HuntCrossley, Law, SmoothSphere, SmoothingValues, Spheres};
 
 use crate::scaling::function::{Argument, Parameter, Returns, docstring};
-use crate::scaling::function::{Columns, EquationError, forms, parameter};
+use crate::scaling::function::{Columns, EquationError, Result, forms, parameter};
 
 /// An equation for a body on several spheres, whose bottoms are at one height or each at its own height.
 #[derive(Debug, Clone, Copy)]
@@ -19,7 +19,7 @@ pub(crate) struct SphereListFunction {
     pub spheres: &'static [Parameter],
     /// The kind of value that the function returns.
     pub returns: Returns,
-    alike: fn(&[f64]) -> Result<Spheres, EquationError>,
+    alike: fn(&[f64]) -> Result<Spheres>,
     rest_level: fn(&[Spheres], f64) -> Result<f64, DomainError>,
     rest_raised: fn(&[RaisedSpheres], f64) -> Result<f64, DomainError>,
 }
@@ -90,12 +90,7 @@ impl SphereListFunction {
     ///
     /// # Errors
     /// A value is outside of its domain, with the index of the sphere; lists differ in length; or there is no sphere.
-    pub(crate) fn value(
-        &self,
-        columns: &[&[f64]],
-        heights: Option<&[f64]>,
-        load_n: f64,
-    ) -> Result<f64, EquationError> {
+    pub(crate) fn value(&self, columns: &[&[f64]], heights: Option<&[f64]>, load_n: f64) -> Result<f64> {
         EquationError::unless_finite(std::iter::once((LOAD.name, load_n)))?;
         let lists: Vec<&[f64]> = columns.iter().copied().chain([heights.unwrap_or(&[0.0])]).collect();
         let names = || self.spheres.iter().chain([&HEIGHT]).map(|parameter| parameter.name);
@@ -119,7 +114,7 @@ impl SphereListFunction {
         rest.map_err(|error| EquationError::from(error).with_argument(std::iter::once((LOAD.name, load_n))))
     }
 
-    fn raised_spheres(&self, row: &[f64]) -> Result<RaisedSpheres, EquationError> {
+    fn raised_spheres(&self, row: &[f64]) -> Result<RaisedSpheres> {
         let Some((&height, values)) = row.split_last() else { return Err(EquationError::arguments(0)) };
         Ok(RaisedSpheres::new((self.alike)(values)?, height)?)
     }

@@ -21,6 +21,9 @@ pub fn units_for(bodies: &[ContactBody], wanted: Option<AxesChoice>) -> PlotUnit
     PlotUnits { indentation, force }
 }
 
+/// A part of a figure, or the reason why it cannot be drawn.
+pub(super) type Result<T, E = Failure> = std::result::Result<T, E>;
+
 pub(super) fn indentation_axis(units: PlotUnits) -> Axis {
     Axis::new(match units.indentation {
         IndentationUnit::Relative => "relative indentation x̂ = x/R (–)",

@@ -5,12 +5,11 @@ use contact_scaling::limits;
 use osim_inspect::series::{
     self, ContactBody, DropSeries, ForceSeries, IndentationUnit, LoopSeries, PlotUnits, SphereKind,
 };
-use osim_model::files::Failure;
 use osim_model::messages::Phrase;
 use osim_requests::DropHeight;
 
 use crate::figures::axes::{
-    force_axis, hertz_limit, indentation_axis, plot_failure, threshold_limits, title_for,
+    Result, force_axis, hertz_limit, indentation_axis, plot_failure, threshold_limits, title_for,
 };
 
 /// A force axis ends at this many times the share of the weight that one sphere carries. Running animals push this hard, and the
@@ -36,7 +35,7 @@ pub fn contact_force(
     units: PlotUnits,
     limits: Option<(f64, f64)>,
     wanted_title: Option<&str>,
-) -> Result<Figure, Failure> {
+) -> Result<Figure> {
     let mut drawn = Vec::new();
     for (body, kind) in series::bodies_and_kinds(bodies) {
         let radius_m = kind.radius_m;
@@ -134,7 +133,7 @@ pub fn loops(
     units: PlotUnits,
     height: DropHeight,
     wanted_title: Option<&str>,
-) -> Result<Figure, Failure> {
+) -> Result<Figure> {
     let mut loops = Vec::new();
     let mut at_rest = Vec::new();
     let only = series::bodies_and_kinds(bodies).count() == 1;
@@ -168,7 +167,7 @@ pub fn impact_loops(
     units: PlotUnits,
     height: DropHeight,
     wanted_title: Option<&str>,
-) -> Result<Figure, Failure> {
+) -> Result<Figure> {
     let mut loops = Vec::new();
     for (body, kind) in series::bodies_and_kinds(bodies) {
         let impact = impact_loop(body, kind, units, height)?;
@@ -214,7 +213,7 @@ fn impact_loop(
     kind: &SphereKind,
     units: PlotUnits,
     height: DropHeight,
-) -> Result<LoopSeries, Failure> {
+) -> Result<LoopSeries> {
     series::hysteresis(body, kind, units, series::impact_speed(body, kind, height)?)
 }
 
@@ -232,7 +231,7 @@ pub fn contact_state(
     units: PlotUnits,
     limits: Option<(f64, f64)>,
     wanted_title: Option<&str>,
-) -> Result<Figure, Failure> {
+) -> Result<Figure> {
     let mut states = Vec::new();
     let mut marked = Vec::new();
     for (body, kind) in series::bodies_and_kinds(bodies) {
@@ -294,7 +293,7 @@ pub fn drops(
     from: &str,
     duration_s: Option<f64>,
     wanted_title: Option<&str>,
-) -> Result<Figure, Failure> {
+) -> Result<Figure> {
     let followed_s = match duration_s {
         Some(duration_s) => duration_s,
         None => series::default_duration(bodies)?,

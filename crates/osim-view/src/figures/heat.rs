@@ -10,7 +10,7 @@ use osim_planning::HeatTable;
 use osim_requests::QuantityChoice;
 use osim_requests::options::FallOptions;
 
-use crate::figures::axes::plot_failure;
+use crate::figures::axes::{Result, plot_failure};
 
 /// A heat map over E₁* and α for the only contact of the only body. The functions `stiffness` and `dissipation` make the axes from its own
 /// E₁* (N/m²) and α (s/m). If only one of the two changes the quantity, the figure is a curve over that parameter.
@@ -24,7 +24,7 @@ pub fn heat(
     stiffness: impl FnOnce(f64) -> Vec<f64>,
     dissipation: impl FnOnce(f64) -> Vec<f64>,
     wanted_title: Option<&str>,
-) -> Result<Drawing, Failure> {
+) -> Result<Drawing> {
     let [body] = bodies else {
         let why = phrase!["a sweep is about one body: name one model, without ", Input::TargetMass];
         return Err(plot_failure(bodies, why));
@@ -127,7 +127,7 @@ impl QuantityWords {
 ///
 /// # Errors
 /// No column varies, two rows are about one point, or no row has a number in all columns.
-pub(super) fn table_figure(table: &HeatTable, wanted_title: Option<&str>) -> Result<Drawing, Failure> {
+pub(super) fn table_figure(table: &HeatTable, wanted_title: Option<&str>) -> Result<Drawing> {
     let failed = |why: String| Failure::outside(&table.name, "plot", why);
     let title = wanted_title.map_or_else(|| format!("{}: {}", table.value.name, table.name), str::to_owned);
     let x = distinct_values(&table.x.values);

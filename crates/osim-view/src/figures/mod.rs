@@ -26,7 +26,7 @@ use osim_model::messages::{Dialect, Input, Phrase, phrase, shortest, terminal_sa
 use osim_planning::{HeatTable, cell, plot_bodies, plot_feet, plot_motion};
 use osim_requests::{FigureOptions, PlotKind, PlotRequest, Positive, RequestError, Span, no_fig1};
 
-use crate::figures::axes::plot_failure;
+use crate::figures::axes::{Result, plot_failure};
 use crate::figures::feet::feet_remarks;
 use crate::figures::heat::table_figure;
 use crate::figures::paper::{fig_c5, fig4};
@@ -76,14 +76,10 @@ pub fn draw_request(
 /// # Errors
 /// The weight of a body is not known and needed, there are too many or too few bodies, or the figure does not have the axes or curves
 /// that the request limits or names.
-pub fn draw(
-    request: &PlotRequest,
-    bodies: &[ContactBody],
-    heat_table: Option<&HeatTable>,
-) -> Result<Drawing, Failure> {
+pub fn draw(request: &PlotRequest, bodies: &[ContactBody], table: Option<&HeatTable>) -> Result<Drawing> {
     let title = request.looks.title.as_deref();
-    let mut drawing = match heat_table {
-        Some(heat_table) => table_figure(heat_table, title)?,
+    let mut drawing = match table {
+        Some(table) => table_figure(table, title)?,
         None => drawing_of_bodies(request, bodies, title)?,
     };
     if let (Drawing::HeatMap(map), Some(range)) = (&mut drawing, request.heat.value_range) {
@@ -92,11 +88,7 @@ pub fn draw(
     with_looks(drawing, &request.looks).map_err(|error| failure_of_plot(error, bodies))
 }
 
-fn drawing_of_bodies(
-    request: &PlotRequest,
-    bodies: &[ContactBody],
-    title: Option<&str>,
-) -> Result<Drawing, Failure> {
+fn drawing_of_bodies(request: &PlotRequest, bodies: &[ContactBody], title: Option<&str>) -> Result<Drawing> {
     let units = units_for(bodies, request.axes);
     let height = request.fall.height;
     let duration = request.fall.duration.map(Positive::get);
@@ -146,7 +138,7 @@ pub fn paper_of(looks: &FigureOptions) -> Paper {
 ///
 /// # Errors
 /// The figure cannot be drawn.
-pub fn svg(drawing: &Drawing, paper: Paper, bodies: &[ContactBody]) -> Result<String, Failure> {
+pub fn svg(drawing: &Drawing, paper: Paper, bodies: &[ContactBody]) -> Result<String> {
     // Control characters in names of spheres would make the SVG unreadable.
     let drawn = drawing.svg(paper).map(|svg| terminal_safe(&svg).into_owned());
     drawn.map_err(|error| failure_of_plot(error, bodies))

@@ -10,13 +10,13 @@ use osim_inspect::series::{self, ContactBody, ForceUnit, IndentationUnit, PlotUn
 use osim_model::files::Failure;
 use osim_model::messages::readable;
 
-use crate::figures::axes::threshold_limits;
+use crate::figures::axes::{Result, threshold_limits};
 use crate::figures::curves::{
     DIMENSIONLESS_TIME, KindOfSphereLaws, TIME_IN_SECONDS, drop_panel, force_panel, state_panel,
 };
 
 /// The animal of Table 1 with the name `taxon`; of several, the one that stands on the most spheres.
-fn animal_of_table(taxon: &str) -> Result<Animal, Failure> {
+fn animal_of_table(taxon: &str) -> Result<Animal> {
     let spheres = |animal: &Animal| animal.scale().sphere_count();
     let most = table1::animals_called(taxon).max_by(|a, b| spheres(a).total_cmp(&spheres(b)));
     most.ok_or_else(|| table_failure(format!("there is no {taxon}")))
@@ -42,9 +42,9 @@ const END_OF_FORCE_AXIS_BW: f64 = 3.0;
 ///
 /// # Errors
 /// None with the numbers of Table 1.
-pub fn fig4(title: Option<&str>) -> Result<Figure, Failure> {
+pub fn fig4(title: Option<&str>) -> Result<Figure> {
     let animals = [animal_of_table("mouse")?, animal_of_table("giraffe")?];
-    let drops = |scale_dissipation: bool| -> Result<Vec<AnimalDrop>, Failure> {
+    let drops = |scale_dissipation: bool| -> Result<Vec<AnimalDrop>> {
         animals.iter().map(|animal| drop_of_animal(animal, scale_dissipation)).collect()
     };
     let (before, after) = (drops(false)?, drops(true)?);
@@ -89,7 +89,7 @@ fn panel_of_fig_4(title: &str, time: &str, falls: &[AnimalDrop]) -> Panel {
 }
 
 /// The drop of one animal by the law of the paper's tests, which has no smoothing.
-fn drop_of_animal(animal: &Animal, scale_dissipation: bool) -> Result<AnimalDrop, Failure> {
+fn drop_of_animal(animal: &Animal, scale_dissipation: bool) -> Result<AnimalDrop> {
     let (scale, values) =
         (animal.scale(), animal.contact_without_smoothing().map_err(table_failure)?.values());
     let dissipation =
@@ -119,7 +119,7 @@ const PLOT_UNITS: PlotUnits = PlotUnits { indentation: IndentationUnit::Relative
 ///
 /// # Errors
 /// None with the numbers of Table 1.
-pub fn fig_c5(title: Option<&str>) -> Result<Figure, Failure> {
+pub fn fig_c5(title: Option<&str>) -> Result<Figure> {
     let animal = animal_of_table(FIG_C5_ANIMAL)?;
     let (emu, values) = (animal.scale(), animal.contact().map_err(table_failure)?.values());
     let default = ContactValues { smoothing: Some(SmoothingValues::OPENSIM_DEFAULT), ..values };
@@ -150,7 +150,7 @@ pub fn fig_c5(title: Option<&str>) -> Result<Figure, Failure> {
 }
 
 /// The panels of force and of contact state of a sphere with this contact.
-fn panels_of_fig_c5(title: &str, scale: &Scale, contact: Contact) -> Result<[Panel; 2], Failure> {
+fn panels_of_fig_c5(title: &str, scale: &Scale, contact: Contact) -> Result<[Panel; 2]> {
     let kind = SphereKind::new(scale.radius_m(), contact);
     let unknown = Failure::outside(FIG_C5_ANIMAL, "plot", "Fig. C.5 says nothing of weight");
     let name = FIG_C5_ANIMAL.to_owned();
