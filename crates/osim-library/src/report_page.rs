@@ -65,12 +65,7 @@ impl ReportPage {
 
     /// Begins the report page about a run with the models that could not be listed. The page shows `call`. `None` if the options
     /// name no page.
-    pub fn begin_for_run(
-        run: &Run<'_>,
-        options: &RunOptions,
-        call: String,
-        words: Words,
-    ) -> Result<Option<Self>> {
+    pub fn for_run(run: &Run<'_>, options: &RunOptions, call: String, words: Words) -> Result<Option<Self>> {
         let Some(path) = &options.report else { return Ok(None) };
         let request = &run.request;
         let shown = || match (request.tasks.first(), request.failures.first()) {

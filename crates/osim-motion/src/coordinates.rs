@@ -124,13 +124,9 @@ pub(crate) fn columns_by_coordinate<'t>(
 
 /// The coordinate with the given name in the given joint. If only one coordinate has the name, the joint does not matter, because
 /// OpenSim gives names to joints without a name.
-fn coordinate_in_joint(
-    coordinates: &[ModelCoordinate],
-    named: &[usize],
-    joint: Option<&str>,
-) -> Option<usize> {
+fn coordinate_in_joint(all: &[ModelCoordinate], named: &[usize], joint: Option<&str>) -> Option<usize> {
     let fits = |index: &&usize| {
-        joint.is_none_or(|joint| coordinates.get(**index).is_some_and(|coordinate| coordinate.joint == joint))
+        joint.is_none_or(|joint| all.get(**index).is_some_and(|coordinate| coordinate.joint == joint))
     };
     match named {
         [only] => Some(*only),

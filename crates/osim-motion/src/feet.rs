@@ -91,11 +91,7 @@ impl Foot {
     }
 
     /// The contact of the foot with the largest indentation in one frame.
-    pub(crate) fn deepest_contact<'s>(
-        &self,
-        states: &'s ContactStates,
-        frame: usize,
-    ) -> Option<&'s ContactState> {
+    pub(crate) fn deepest<'s>(&self, states: &'s ContactStates, frame: usize) -> Option<&'s ContactState> {
         self.contacts(states, frame).max_by(|a, b| a.indentation_m.total_cmp(&b.indentation_m))
     }
 }

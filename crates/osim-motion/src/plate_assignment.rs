@@ -130,7 +130,7 @@ impl MeasuredForces {
     fn clear_frames_beside_plates(&mut self, feet: &[Foot], states: &ContactStates, weight_n: f64) {
         let total = self.total.clone();
         let loads = feet.iter().zip(&self.feet).map(|(foot, plates)| loads_of_foot(states, foot, plates));
-        let loads: Vec<Vec<LoadOfFoot<'_>>> = loads.collect();
+        let loads: Vec<Vec<FootLoad<'_>>> = loads.collect();
         for (index, foot) in feet.iter().enumerate() {
             let beside = frames_beside_plates(states, foot, (loads.as_slice(), index), &total, weight_n);
             for frame in (0..beside.len()).filter(|&frame| beside[frame]) {
@@ -274,16 +274,12 @@ const SHORTEST_STEP_S: f64 = 0.08;
 const LONGEST_STEP_ON_S: f64 = 0.15;
 
 /// The force of the plates under a foot along the normal, N, and its deepest contact, in one frame; `None` without data.
-type LoadOfFoot<'s> = Option<(f64, &'s ContactState)>;
+type FootLoad<'s> = Option<(f64, &'s ContactState)>;
 
 /// The loads of `foot`, under which `plates` measured these forces.
-fn loads_of_foot<'s>(
-    states: &'s ContactStates,
-    foot: &Foot,
-    plates: &[Option<Wrench>],
-) -> Vec<LoadOfFoot<'s>> {
+fn loads_of_foot<'s>(states: &'s ContactStates, foot: &Foot, plates: &[Option<Wrench>]) -> Vec<FootLoad<'s>> {
     let in_frame = |(frame, plate): (usize, &Option<Wrench>)| {
-        let deepest = foot.deepest_contact(states, frame)?;
+        let deepest = foot.deepest(states, frame)?;
         Some((plate.as_ref()?.force_n.dot(deepest.normal), deepest))
     };
     plates.iter().enumerate().map(in_frame).collect()
@@ -295,7 +291,7 @@ fn loads_of_foot<'s>(
 fn frames_beside_plates(
     states: &ContactStates,
     foot: &Foot,
-    (loads, index): (&[Vec<LoadOfFoot<'_>>], usize),
+    (loads, index): (&[Vec<FootLoad<'_>>], usize),
     total: &[Option<Wrench>],
     weight_n: f64,
 ) -> Vec<bool> {
@@ -315,7 +311,7 @@ fn frames_beside_plates(
     let lowest_m = under_load(TOUCH_DOWN_BW, LEAST_DEPTH_QUANTILE, &|state| state.indentation_m);
     let least_m = usual_m - MOST_HEIGHT_OF_STANDING_FOOT_M;
     let least_m = if is_on_plate { lowest_m.max(least_m) } else { least_m };
-    let is_low = |one: &LoadOfFoot<'_>| {
+    let is_low = |one: &FootLoad<'_>| {
         one.as_ref().is_some_and(|(force_n, state)| {
             *force_n < LIFT_OFF_BW * weight_n && state.indentation_m >= least_m
         })
@@ -327,7 +323,7 @@ fn frames_beside_plates(
         foot.contacts(states, frame).any(is_still)
     };
     let is_carried = |frame: usize| {
-        let sum = total[frame].as_ref().zip(foot.deepest_contact(states, frame));
+        let sum = total[frame].as_ref().zip(foot.deepest(states, frame));
         sum.is_some_and(|(wrench, state)| wrench.force_n.dot(state.normal) >= CARRIED_BW * weight_n)
     };
     // Half of the time before and after a frame belongs to it.

@@ -193,7 +193,7 @@ impl FootSummary {
         });
         let stances = StancePhase::all(&states.time_s, standing.as_deref().unwrap_or(&forces), weight_n);
         let deepest: Vec<Option<&ContactState>> =
-            (0..states.frames()).map(|frame| foot.deepest_contact(states, frame)).collect();
+            (0..states.frames()).map(|frame| foot.deepest(states, frame)).collect();
         let depth_in_frames = deepest.iter().flatten().map(|state| state.indentation_m);
         let standing_states: Vec<&ContactState> =
             stances.iter().flat_map(StancePhase::frames).filter_map(|frame| *deepest.get(frame)?).collect();

@@ -236,7 +236,7 @@ pub(crate) fn change_composite(
         return Ok(());
     }
     let surfaces = Surfaces::of(force)?;
-    let now = present_composite(plan, force, &surfaces, property)?;
+    let now = present_composite(plan.model, force, &surfaces, property)?;
     for set in sets {
         let Some(from) = force.checked(set, property)? else { continue };
         let new = if now == 0.0 {
@@ -250,15 +250,10 @@ pub(crate) fn change_composite(
 }
 
 /// The present parameter that a force reads for both surfaces together: E₁* of two equal surfaces, or α.
-fn present_composite(
-    plan: &PlanBuilder<'_>,
-    force: &Force,
-    surfaces: &Surfaces,
-    property: Property,
-) -> Result<f64> {
-    let pairs = plan.model.sphere_pairs(force);
+fn present_composite(model: &Model, force: &Force, surfaces: &Surfaces, property: Property) -> Result<f64> {
+    let pairs = model.sphere_pairs(force);
     let contacts: Result<Vec<SurfaceValues>> = if pairs.is_empty() {
-        sphere_sets(plan.model, force).into_iter().map(|(set, _)| surfaces.with_plane(set)).collect()
+        sphere_sets(model, force).into_iter().map(|(set, _)| surfaces.with_plane(set)).collect()
     } else {
         let set_with = |sphere: &Sphere| {
             force.sets.iter().find(|set| set.spheres.contains(&sphere.id)).map(|set| set.id)

@@ -149,14 +149,9 @@ impl BeforeAndAfterPlan<'_> {
     }
 }
 
-/// A model in one state, before or after the change, for figures of curves. `opened` is the model before it.
-pub(crate) fn drawn_body(
-    name: &str,
-    options: &InspectOptions,
-    model: &Model,
-    opened: &OpenModel,
-) -> Option<ContactBody> {
-    ContactBody::from_inspected_model(name.to_owned(), model, options, &|fault| opened.failure(fault)).ok()
+/// A model in one state, before or after the change, for figures of curves. `open` is the model before it.
+fn drawn_body(name: &str, options: &InspectOptions, model: &Model, open: &OpenModel) -> Option<ContactBody> {
+    ContactBody::from_inspected_model(name.to_owned(), model, options, &|fault| open.failure(fault)).ok()
 }
 
 #[cfg(test)]

@@ -223,7 +223,7 @@ impl Inspector {
         let mesh = rules::find_odd_mesh(model, &name.to_path(), files);
         let similarity = self.scaled_with_size(model);
         let density = similarity.as_ref().and_then(rules::find_mass_against_length);
-        let forms = similarity.as_ref().and_then(|sizes| self.forms_of_dissipation(model, inspected, sizes));
+        let forms = similarity.as_ref().and_then(|sizes| self.dissipation_forms(model, inspected, sizes));
         let mut beside: Vec<Finding> = [mesh, density, forms].into_iter().flatten().collect();
         // The results of steps have other names, so no compiled file is beside them.
         let of_steps = beside.clone();
@@ -251,12 +251,7 @@ impl Inspector {
     }
 
     /// The remark on dissipation by radius and by mass (14), if the contacts are no longer those of the generic model.
-    fn forms_of_dissipation(
-        &self,
-        model: &Model,
-        inspected: &Inspection,
-        sizes: &SizeList,
-    ) -> Option<Finding> {
+    fn dissipation_forms(&self, model: &Model, inspected: &Inspection, sizes: &SizeList) -> Option<Finding> {
         let Some(Ok(generic)) = &self.generic else { return None };
         inspected.placement.as_ref().filter(|placement| !placement.was_left_behind())?;
         let now = rules::radius_and_dissipation(model)?;

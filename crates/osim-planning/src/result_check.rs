@@ -42,7 +42,7 @@ impl PreparedChange {
         let mut plan = self.plan_with_note(opened, files)?;
         let changed = (!plan.is_empty()).then(|| changed(&plan, &opened.model)).transpose();
         let changed = changed.map_err(|fault| opened.failure(fault))?;
-        self.judge_result(opened, &mut plan, changed.as_ref())?;
+        self.judge(opened, &mut plan, changed.as_ref())?;
         Ok((plan, changed))
     }
 
@@ -77,12 +77,7 @@ impl PreparedChange {
     ///
     /// # Errors
     /// An error that neither the model before nor the reference has, unless the caller confirmed it.
-    fn judge_result(
-        &self,
-        opened: &OpenModel,
-        plan: &mut Plan,
-        changed: Option<&Model>,
-    ) -> Result<(), Failure> {
+    fn judge(&self, opened: &OpenModel, plan: &mut Plan, changed: Option<&Model>) -> Result<(), Failure> {
         let masses = &self.options.masses;
         let weighs = masses.model_mass(&opened.model).ok();
         let weighs = weighs.or_else(|| Some(masses.contacts_mass(&opened.model).ok()?.0));

@@ -104,11 +104,9 @@ fn axes_and_origin(placement: &Placement) -> [[f64; 3]; 4] {
 }
 
 /// The force in body weights and the relative indentation of each sphere, if the body stands on all its spheres.
-fn loads_at_rest(
-    model: &Model,
-    forces: &[ForceId],
-    options: &InspectOptions,
-) -> HashMap<SphereId, (f64, f64)> {
+type SphereLoads = HashMap<SphereId, (f64, f64)>;
+
+fn loads_at_rest(model: &Model, forces: &[ForceId], options: &InspectOptions) -> SphereLoads {
     let mut loads = HashMap::new();
     // The contacts may be made for another mass than the bodies have before they are scaled.
     let mass_kg = options.masses.model_mass(model).ok().map(|mass| mass.kg);
@@ -131,7 +129,7 @@ fn placed_spheres(
     model: &Model,
     forces: &[ForceId],
     pose: &DefaultPose,
-    loads: &HashMap<SphereId, (f64, f64)>,
+    loads: &SphereLoads,
 ) -> Vec<SceneSphere> {
     let limbs = model.limbs(forces);
     let limbs = limbs.if_known().unwrap_or_default().iter();

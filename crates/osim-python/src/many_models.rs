@@ -137,7 +137,7 @@ pub(crate) fn run(
     let mut run = Run::new(request, options)?;
     run.read_previous()?;
     let detail = DetailLevel::for_models(run.request.tasks.len() + run.request.failures.len());
-    let mut page = ReportPage::begin_for_run(&run, options, call, PYTHON_SPELLING)?;
+    let mut page = ReportPage::for_run(&run, options, call, PYTHON_SPELLING)?;
     run.begin()?;
     let mut remarks = run.request.remarks.clone();
     remarks.extend(run.kept_files.iter().cloned());

@@ -114,11 +114,7 @@ fn with_texts(argument: Arg, option: &Entry, silent: &Value) -> Arg {
 ///
 /// # Errors
 /// An option without another option that it needs; for `set`, an unknown property or a value that is not a number.
-pub fn read(
-    verb: Verb,
-    matches: &ArgMatches,
-    is_file: impl Fn(&Path) -> bool,
-) -> Result<Request, RequestFault> {
+pub fn read(verb: Verb, matches: &ArgMatches, is_file: fn(&Path) -> bool) -> Result<Request, RequestFault> {
     let is_typed = |name: &str| matches.value_source(name) == Some(ValueSource::CommandLine);
     let mut fields = Map::new();
     let mut words: Vec<&OsString> = Vec::new();

@@ -75,7 +75,7 @@ fn draw_block(root: &Area<'_>, block: &PlacedBlock<'_>) -> Result<(), PlotError>
 fn draw_view(root: &Area<'_>, view: &PlacedView<'_>, is_last: bool) -> Result<(), PlotError> {
     draw_outlines(root, view)?;
     for level in &view.view.levels {
-        draw_level_line(root, (view.left, view.left + view.width), view.at((0.0, level.at)).1, level.kind)?;
+        draw_level(root, (view.left, view.left + view.width), view.at((0.0, level.at)).1, level.kind)?;
     }
     for ball in &view.view.balls {
         let (centre, radius) = (view.at(ball.centre), view.length(ball.radius));
@@ -185,8 +185,8 @@ fn draw_sample(root: &Area<'_>, sample: SceneSample, left: f64, middle: f64) -> 
         SceneSample::Misplaced => draw_circle(root, centre, SAMPLE_CIRCLE_RADIUS_PT, true),
         SceneSample::BallBefore => draw(root, &dashed_circle(centre, SAMPLE_CIRCLE_RADIUS_PT)),
         SceneSample::Spot => draw_square(root, centre, 2.2),
-        SceneSample::Lowest => draw_level_line(root, ends, middle, LevelKind::Lowest),
-        SceneSample::Ground => draw_level_line(root, ends, middle - 1.5, LevelKind::Ground),
+        SceneSample::Lowest => draw_level(root, ends, middle, LevelKind::Lowest),
+        SceneSample::Ground => draw_level(root, ends, middle - 1.5, LevelKind::Ground),
         SceneSample::Bone => {
             let corners = [place((left, middle - 3.0)), place((left + SAMPLE_PT, middle + 3.0))];
             draw(root, &Rectangle::new(corners, BONE_COLOUR.mix(BONE_OPACITY).filled()))?;
@@ -249,12 +249,7 @@ fn draw_square(root: &Area<'_>, (x, y): Point, size: f64) -> Result<(), PlotErro
 }
 
 /// Draws a horizontal line: dashed for the lowest point, with short strokes below it for the ground.
-fn draw_level_line(
-    root: &Area<'_>,
-    (left, right): (f64, f64),
-    y: f64,
-    kind: LevelKind,
-) -> Result<(), PlotError> {
+fn draw_level(root: &Area<'_>, (left, right): (f64, f64), y: f64, kind: LevelKind) -> Result<(), PlotError> {
     let line = [place((left, y)), place((right, y))];
     if kind == LevelKind::Lowest {
         let dashes = DashedPathElement::new(line, units(2.0), units(1.6), stroke(LIMIT, 0.7));

@@ -88,14 +88,10 @@ pub(super) fn is_exact(residuals_n: &[f64], forces_n: impl Iterator<Item = f64>)
 }
 
 /// The reasons to doubt fitted parameters; `exact` if the fit has no residuals.
-pub(super) fn doubts(
-    r_squared: f64,
-    exact: bool,
-    estimates: &[(Parameter, Option<&Estimate>)],
-) -> Vec<Doubt> {
+pub(super) fn doubts(r_squared: f64, exact: bool, fitted: &[(Parameter, Option<&Estimate>)]) -> Vec<Doubt> {
     let low = (r_squared < LOW_R_SQUARED).then_some(Doubt::LowRSquared { r_squared });
     let holds_zero = |estimate: &Estimate| estimate.low <= 0.0 && estimate.high >= 0.0;
-    let undetermined = estimates
+    let undetermined = fitted
         .iter()
         .filter(|(_, estimate)| estimate.is_some_and(holds_zero))
         .map(|&(parameter, _)| Doubt::Undetermined { parameter });

@@ -123,7 +123,7 @@ pub(crate) fn run(mut request: RunRequest, options: &RunOptions, session: &mut S
         session.terminal.remark(remark)?;
     }
     run.read_previous().map_err(|fault| session.file_error(&fault))?;
-    let mut page = ReportPage::begin_for_run(&run, options, typed_command_line(), session.words)
+    let mut page = ReportPage::for_run(&run, options, typed_command_line(), session.words)
         .map_err(|fault| session.file_error(&fault))?;
     run.begin().map_err(|fault| session.file_error(&fault))?;
     for kept in &run.kept_files {

@@ -128,17 +128,12 @@ impl RunRequest {
 }
 
 /// Refuses options that do not go together, such as several models for one output.
-fn check_options(
-    named: &[PathBuf],
-    sources: &Sources,
-    output: &OutputOptions,
-    run: &RunOptions,
-) -> Result<()> {
+fn check_options(named: &[PathBuf], found: &Sources, output: &OutputOptions, run: &RunOptions) -> Result<()> {
     let from_stdin = named.iter().any(|path| path.as_os_str() == "-");
     let to_stdout = output.output.as_deref() == Some(Path::new("-"))
         || (from_stdin && output.output.is_none() && output.output_dir.is_none());
     let to_stdout = to_stdout && !run.dry_run;
-    let several = named.len() > 1 || sources.models.len() > 1 || named.iter().any(|path| path.is_dir());
+    let several = named.len() > 1 || found.models.len() > 1 || named.iter().any(|path| path.is_dir());
     let refused = |message| Err(LibraryFault::new(message));
     if output.output.is_some() && several {
         return refused(phrase![

@@ -132,7 +132,7 @@ impl TableRows<'_> {
             let hint = model.map(|path| format!(": did you mean {}?", path.display())).unwrap_or_default();
             return Err(RowFault::of(column, format!("{why}: {}{hint}", row.model.display())));
         }
-        let settings = self.row_settings(row, shared)?;
+        let settings = self.settings(row, shared)?;
         let source = ModelSource { named: false, ..ModelSource::file(&row.model) };
         let task = Task::new(source, &row.output, settings);
         if let Some(folder) = &self.writable_folder {
@@ -144,11 +144,7 @@ impl TableRows<'_> {
     }
 
     /// The settings of a row, shared with rows that have equal ones.
-    fn row_settings(
-        &self,
-        row: &RowRequest,
-        shared: &mut SharedSettings,
-    ) -> Result<Arc<JobSettings>, RowFault> {
+    fn settings(&self, row: &RowRequest, shared: &mut SharedSettings) -> Result<Arc<JobSettings>, RowFault> {
         let key = row.settings();
         if let Some(settings) = shared.get(&key) {
             return Ok(Arc::clone(settings));
@@ -170,23 +166,18 @@ struct WritableFolder {
 
 impl WritableFolder {
     /// `folder` as the one that the rows of a table may write into, with everything in it.
-    pub(super) fn of_folder(folder: &Path) -> Self {
+    fn of_folder(folder: &Path) -> Self {
         Self { folder: folder.to_owned(), real: resolved(folder) }
     }
 
-    /// Checks the files that a task writes. The output options of its table row are `row`, those of the call are `call_output`. A new
+    /// Checks the files that a task writes. The output options of its table row are `row`, those of the call are `call`. A new
     /// result beside its model is always allowed; a result that replaces a file is allowed where the call allows it.
     ///
     /// # Errors
     /// The first file that is outside the folder, with the column that names it.
-    pub(super) fn check(
-        &self,
-        task: &Task,
-        row: &OutputOptions,
-        call_output: &OutputOptions,
-    ) -> Result<(), (Input, Phrase)> {
+    fn check(&self, task: &Task, row: &OutputOptions, call: &OutputOptions) -> Result<(), (Input, Phrase)> {
         let changes_model = matches!(task.destination, ResultDestination::InPlace);
-        let replaces = row.force && !call_output.force;
+        let replaces = row.force && !call.force;
         if !(task.output_is_named || changes_model || replaces) {
             return Ok(());
         }

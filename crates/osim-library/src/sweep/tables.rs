@@ -207,11 +207,7 @@ impl FileDigests {
     ///
     /// # Errors
     /// The file `table` or its partial table is not the table of a sweep.
-    pub(super) fn add(
-        &mut self,
-        table: &Path,
-        mut only_in_table: impl FnMut(&str, &str) -> Result<()>,
-    ) -> Result<()> {
+    fn add(&mut self, table: &Path, mut only_in_table: impl FnMut(&str, &str) -> Result<()>) -> Result<()> {
         for_each_line(&PartialFile::path_for(table), true, |file, sha256| {
             self.0.insert(digest_of_file(file, sha256));
             Ok(())
@@ -223,7 +219,7 @@ impl FileDigests {
     }
 
     /// Whether a sweep wrote a file of this name with this digest.
-    pub(super) fn contains(&self, file: &str, sha256: &str) -> bool {
+    fn contains(&self, file: &str, sha256: &str) -> bool {
         self.0.contains(&digest_of_file(file, sha256))
     }
 }
@@ -235,15 +231,11 @@ fn digest_of_file(file: &str, sha256: &str) -> NameDigest {
 }
 
 /// Calls `each` with the file and the digest of every line of a table, if the table exists.
-fn for_each_line(
-    path: &Path,
-    may_end_in_a_line: bool,
-    each: impl FnMut(&str, &str) -> Result<()>,
-) -> Result<()> {
+fn for_each_line(path: &Path, may_be_cut: bool, each: impl FnMut(&str, &str) -> Result<()>) -> Result<()> {
     if !path.exists() {
         return Ok(());
     }
-    read_lines(path, may_end_in_a_line, each).map_err(|fault| {
+    read_lines(path, may_be_cut, each).map_err(|fault| {
         LibraryFault::new(phrase![
             "cannot continue with {}: {}; leave out {} and replace all with {}, or choose another \
              folder with {}";
@@ -254,20 +246,16 @@ fn for_each_line(
 }
 
 /// Calls `each` with the file and the digest of every line of a table.
-fn read_lines(
-    path: &Path,
-    may_end_in_a_line: bool,
-    mut each: impl FnMut(&str, &str) -> Result<()>,
-) -> Result<()> {
+fn read_lines(path: &Path, may_be_cut: bool, mut each: impl FnMut(&str, &str) -> Result<()>) -> Result<()> {
     let (mut file, length) = file_access::open_to_read(path).map_err(fault_of_error)?;
     let end = end_of_lines(&mut file, length).map_err(fault_of_error)?;
-    if end < length && !may_end_in_a_line {
+    if end < length && !may_be_cut {
         return Err(LibraryFault::new("its last line is cut off, so this tool did not leave it like that"));
     }
     file.seek(SeekFrom::Start(0)).map_err(fault_of_error)?;
     let mut lines = BufReader::new(file).take(end);
     let mut first = Vec::new();
-    if lines.read_until(b'\n', &mut first).map_err(fault_of_error)? == 0 && may_end_in_a_line {
+    if lines.read_until(b'\n', &mut first).map_err(fault_of_error)? == 0 && may_be_cut {
         // The run was killed before it had written its first line.
         return Ok(());
     }

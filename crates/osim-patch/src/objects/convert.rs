@@ -297,11 +297,7 @@ fn value_origin(property: Property, sphere: &Sphere, pair: &SpherePlanePair) -> 
 }
 
 /// Adds smoothing parameters to a force that has none.
-pub(super) fn add_smoothing(
-    values: &mut Vec<(Property, f64)>,
-    radius_m: f64,
-    wanted: &Convert,
-) -> Result<()> {
+fn add_smoothing(values: &mut Vec<(Property, f64)>, radius_m: f64, wanted: &Convert) -> Result<()> {
     let human = falisse2022();
     let radius = radius_m / human.scale.radius_m();
     let ratios = Ratios::new(RatioValues { mass: 1.0, sphere_count: 1.0, radius, gravity: 1.0 });

@@ -36,11 +36,8 @@ where
 pub(crate) struct Texts;
 
 impl Texts {
-    pub(crate) fn serialize<T: Display, S: Serializer>(
-        values: &[T],
-        serializer: S,
-    ) -> Result<S::Ok, S::Error> {
-        serializer.collect_seq(values.iter().map(ToString::to_string))
+    pub(crate) fn serialize<T: Display, S: Serializer>(all: &[T], serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_seq(all.iter().map(ToString::to_string))
     }
 
     /// Reads a list of values from their texts, or a single value.

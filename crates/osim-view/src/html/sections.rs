@@ -31,8 +31,8 @@ pub struct Sections {
 
 impl Sections {
     /// The sections of a fragment, with the explanations that their links lead to.
-    fn of(fragment: Fragment, dialect: &dyn Dialect) -> Self {
-        let explained = explained::explanations_by_anchor(&fragment.topics, dialect).into_iter();
+    fn of(fragment: Fragment, words: &dyn Dialect) -> Self {
+        let explained = explained::explanations_by_anchor(&fragment.topics, words).into_iter();
         let explained =
             explained.map(|(id, html)| Explained { id, html: terminal_safe(&html.0).into_owned() });
         let sections = fragment.sections.into_iter();
@@ -48,7 +48,7 @@ impl Sections {
         bodies: &[ContactBody],
         reference: Option<&ReferenceState>,
         wanted: Option<&[String]>,
-        dialect: &dyn Dialect,
+        words: &dyn Dialect,
     ) -> Self {
         let mut fragment = Fragment::of_wanted_sections(wanted);
         add_changes_section(&mut fragment, plan);
@@ -56,30 +56,22 @@ impl Sections {
             let other = reference.and_then(|reference| reference.body.clone());
             let bodies = bodies.iter().cloned().chain(other).collect();
             let drawn = DrawnStates { bodies, has_reference: reference.is_some(), feet: Vec::new() };
-            plots::add_sections(&mut fragment, &drawn, dialect);
+            plots::add_sections(&mut fragment, &drawn, words);
         }
-        Self::of(fragment, dialect)
+        Self::of(fragment, words)
     }
 
     /// The sections about a change whose names are in `wanted`; `None` for all sections.
-    pub fn of_change(
-        changed: ChangedModelOnPage<'_>,
-        wanted: Option<&[String]>,
-        dialect: &dyn Dialect,
-    ) -> Self {
+    pub fn of_change(shown: ChangedModelOnPage<'_>, wanted: Option<&[String]>, words: &dyn Dialect) -> Self {
         let mut fragment = Fragment::of_wanted_sections(wanted);
-        add_change_sections(&mut fragment, changed, dialect);
-        Self::of(fragment, dialect)
+        add_change_sections(&mut fragment, shown, words);
+        Self::of(fragment, words)
     }
 
     /// The sections about an inspected model whose names are in `wanted`; `None` for all sections.
-    pub fn of_model(
-        inspected: InspectedModelOnPage<'_>,
-        wanted: Option<&[String]>,
-        dialect: &dyn Dialect,
-    ) -> Self {
+    pub fn of_model(shown: InspectedModelOnPage<'_>, wanted: Option<&[String]>, words: &dyn Dialect) -> Self {
         let mut fragment = Fragment::of_wanted_sections(wanted);
-        inspected::add_inspection_sections(&mut fragment, inspected, dialect);
-        Self::of(fragment, dialect)
+        inspected::add_inspection_sections(&mut fragment, shown, words);
+        Self::of(fragment, words)
     }
 }

@@ -135,10 +135,10 @@ impl ChosenModels {
         if found > self.most_found.as_ref().map_or((0, 0), |(most, _)| *most) {
             self.most_found = Some((found, Rc::clone(&one)));
         }
-        replace_if_better(&mut self.deepest, facts.indentation.now, &one, |new, old| new > old);
-        replace_if_better(&mut self.shallowest, facts.indentation.now, &one, |new, old| new < old);
-        replace_if_better(&mut self.heaviest, facts.mass_kg, &one, |new, old| new > old);
-        replace_if_better(&mut self.lightest, facts.mass_kg, &one, |new, old| new < old);
+        keep_better(&mut self.deepest, facts.indentation.now, &one, |new, old| new > old);
+        keep_better(&mut self.shallowest, facts.indentation.now, &one, |new, old| new < old);
+        keep_better(&mut self.heaviest, facts.mass_kg, &one, |new, old| new > old);
+        keep_better(&mut self.lightest, facts.mass_kg, &one, |new, old| new < old);
         if let Some(contact) = &facts.contact {
             let room = self.contacts.len() < MOST_COUNTED_CONTACTS;
             match self.contacts.get_mut(contact) {
@@ -209,12 +209,7 @@ impl ChosenModels {
     }
 }
 
-fn replace_if_better(
-    best: &mut BestModel,
-    value: Option<f64>,
-    one: &Rc<Candidate>,
-    better: fn(f64, f64) -> bool,
-) {
+fn keep_better(best: &mut BestModel, value: Option<f64>, one: &Rc<Candidate>, better: fn(f64, f64) -> bool) {
     if let Some(value) = value
         && best.as_ref().is_none_or(|(old, _)| better(value, *old))
     {

@@ -175,9 +175,9 @@ fn whole_reference(
         layout(request, model, &selected).map_err(|fault| opened.failure(fault))?;
     // Presets have the bodies with spheres and their joint only.
     anatomy.is_fragment = !is_file;
-    let transfer_planner = crate::verbs::transfer::planner(transfer, reference, Some(generic.clone()));
+    let planner = crate::verbs::transfer::planner(transfer, reference, Some(generic.clone()));
     let maps = request.body_map.clone();
-    Ok((FromReference { layout, anatomy, transfer_planner, generic, maps }, state, is_file, remarks))
+    Ok((FromReference { layout, anatomy, planner, generic, maps }, state, is_file, remarks))
 }
 
 /// Reads a reference that gives only the numbers of the contacts.
@@ -194,12 +194,12 @@ fn reference_numbers(
         .apply(&opened.model)
         .and_then(|selected| wanted_contacts(request, &opened.model, &selected))
         .map_err(|fault| opened.failure(fault))?;
-    let transfer_planner = crate::verbs::transfer::planner(transfer, reference, generic);
-    let known = &transfer_planner.reference;
+    let planner = crate::verbs::transfer::planner(transfer, reference, generic);
+    let known = &planner.reference;
     let (mass, sphere_count) = (known.mass.clone(), known.sphere_count);
     let reference = reference_of_layout(&known.name, &layout, mass, sphere_count, known.gravity_m_s2)
         .map_err(|fault| opened.failure(fault))?;
-    Ok((ReferenceNumbers::new(layout, reference, transfer_planner), state, is_file))
+    Ok((ReferenceNumbers::new(layout, reference, planner), state, is_file))
 }
 
 /// The choice of the reference's forces.

@@ -38,7 +38,7 @@ pub(super) struct ReferenceNumbers {
     has_one_radius: bool,
     /// The same contacts in the form from which numbers are scaled. It does not depend on names of forces.
     reference: Reference,
-    transfer_planner: TransferPlanner,
+    planner: TransferPlanner,
 }
 
 /// Numbers of new contacts that are computed from what is wanted, without a reference.
@@ -58,7 +58,7 @@ impl ContactNumbers {
     /// There is no reference, or a mass is not known.
     pub(super) fn radius_ratio(&self, model: &Model) -> Result<f64, AddFault> {
         let reference = self.reference_numbers()?;
-        let mass = reference.transfer_planner.masses.model_mass(model)?;
+        let mass = reference.planner.masses.model_mass(model)?;
         let ratios = Ratios::isometric(mass.kg / reference.reference.mass.kg).map_err(Fault::new)?;
         Ok(ratios.radius())
     }
@@ -115,7 +115,7 @@ impl ContactNumbers {
     pub(super) fn plan(&self, built: &Model, selected: &Selected) -> Result<Plan, Fault> {
         let mut plan = match self {
             Self::Reference(reference) => {
-                reference.transfer_planner.plan_with_reference(built, selected, &reference.reference, None)?
+                reference.planner.plan_with_reference(built, selected, &reference.reference, None)?
             }
             Self::Designed(wanted) => {
                 let mut plan = wanted.design_planner.plan_for(built, selected)?;
@@ -133,17 +133,13 @@ impl ContactNumbers {
 }
 
 impl ReferenceNumbers {
-    /// The numbers of the contacts in `layout`; `reference` has the same contacts, as `transfer_planner` takes them.
-    pub(super) fn new(
-        layout: ContactLayout,
-        reference: Reference,
-        transfer_planner: TransferPlanner,
-    ) -> Self {
+    /// The numbers of the contacts in `layout`; `reference` has the same contacts, as `planner` takes them.
+    pub(super) fn new(layout: ContactLayout, reference: Reference, planner: TransferPlanner) -> Self {
         let contacts = &layout.contacts;
         let by_sphere = contacts.iter().enumerate().rev().map(|(at, one)| (one.sphere.clone(), at)).collect();
         let has_one_radius =
             contacts.windows(2).all(|two| matches!(two, [one, next] if one.radius_m == next.radius_m));
-        Self { layout, by_sphere, has_one_radius, reference, transfer_planner }
+        Self { layout, by_sphere, has_one_radius, reference, planner }
     }
 
     /// The reference's contact from which the new sphere `name` is made: the contact of the sphere that the caller chose; else that of the
@@ -152,7 +148,7 @@ impl ReferenceNumbers {
         let contacts = &self.layout.contacts;
         let named = |wanted: &str| contacts.get(*self.by_sphere.get(wanted)?);
         let none = || self.reference.without_contacts();
-        match &self.transfer_planner.reference_sphere {
+        match &self.planner.reference_sphere {
             Some(chosen) => named(chosen).ok_or_else(|| self.reference.without_sphere(chosen)),
             None => name.and_then(named).or(contacts.first()).ok_or_else(none),
         }
@@ -162,7 +158,7 @@ impl ReferenceNumbers {
     /// name.
     fn radius(&self, name: Option<&str>) -> Result<Option<f64>, Fault> {
         let like = self.contact_like(name)?;
-        let named = self.transfer_planner.reference_sphere.is_some() || Some(like.sphere.as_str()) == name;
+        let named = self.planner.reference_sphere.is_some() || Some(like.sphere.as_str()) == name;
         Ok((named || self.has_one_radius).then_some(like.radius_m))
     }
 }
@@ -174,7 +170,7 @@ pub(super) struct FromReference {
     /// The skeleton of the reference, in which bodies have the names of the models' bodies.
     pub(super) anatomy: Anatomy,
     /// The planner that scales the contacts to each model.
-    pub(super) transfer_planner: TransferPlanner,
+    pub(super) planner: TransferPlanner,
     pub(super) generic: GenericModel,
     /// The caller's map from bodies of the reference to bodies of the models.
     pub(super) maps: Vec<BodyMap>,
@@ -187,7 +183,7 @@ impl FromReference {
         self.refuse_missing_bodies(base)?;
         let (rebuilt, selected) = with_contacts(base, &mut layout)?;
         let built = rebuilt.model();
-        let known = &self.transfer_planner.reference;
+        let known = &self.planner.reference;
         let mut reference = reference_of_model(built, &selected, known.mass.clone(), known.sphere_count)?;
         reference.name.clone_from(&known.name);
         reference.gravity_m_s2 = known.gravity_m_s2;
@@ -195,8 +191,7 @@ impl FromReference {
         // If two models have no common joint, their joints do not determine factors of bodies.
         anatomy.is_fragment |= !built.joints().iter().any(|joint| anatomy.joint(&joint.name).is_some());
         let generic = self.generic.with_contacts(anatomy, built);
-        let mut plan =
-            self.transfer_planner.plan_with_reference(built, &selected, &reference, Some(&generic))?;
+        let mut plan = self.planner.plan_with_reference(built, &selected, &reference, Some(&generic))?;
         // A reference for `add` usually is another model.
         plan.findings.retain(|finding| finding.code() != FindingCode::NotAScaledCopy);
         Ok((plan, rebuilt))
