@@ -97,10 +97,7 @@ pub fn make_folder_of(path: &Path) -> Result<()> {
     }
     refuse_file_as_folder(folder)?;
     let cannot = || format!("cannot make the folder {}", folder.display());
-    match resolved(path).parent() {
-        Some(folder) => std::fs::create_dir_all(folder).context(cannot),
-        None => Ok(()),
-    }
+    resolved(path).parent().map_or(Ok(()), |folder| std::fs::create_dir_all(folder).context(cannot))
 }
 
 /// Makes many paths absolute as [`resolved`] does, but looks at each folder only once.

@@ -215,10 +215,8 @@ fn do_tasks(
     };
     let counts = run.do_tasks(&printer, report);
     printer.progress.end();
-    match counts {
-        Ok(counts) => Ok(RunEnd { counts, not_printed, worst, failed, skipped }),
-        Err(fault) => Err(session.file_error(&fault)),
-    }
+    let counts = counts.map_err(|fault| session.file_error(&fault))?;
+    Ok(RunEnd { counts, not_printed, worst, failed, skipped })
 }
 
 /// Prints what there is to print about one model, on standard output or standard error.

@@ -106,10 +106,8 @@ impl PreviousRun {
 
     /// The absolute path of a file that a line of the summary names.
     fn resolved_name(&self, record: &Record, name: &str) -> PathBuf {
-        let path = match &record.folder {
-            Some(folder) => self.folder.join(folder).join(name),
-            None => PathBuf::from(name),
-        };
+        let folder = record.folder.as_ref().map(|folder| self.folder.join(folder)).unwrap_or_default();
+        let path = folder.join(name);
         self.paths.lock().map_or_else(|_| resolved(&path), |mut paths| paths.resolved(&path))
     }
 

@@ -167,10 +167,8 @@ fn name_of_error(error: &CellErrorType) -> &'static str {
 /// A column as letters: A to Z, then AA and so on.
 fn column_letters(column: u32) -> String {
     let last = char::from(b'A' + u8::try_from(column % 26).unwrap_or_default());
-    match (column / 26).checked_sub(1) {
-        Some(before) => format!("{}{last}", column_letters(before)),
-        None => last.to_string(),
-    }
+    let before = (column / 26).checked_sub(1).map(column_letters).unwrap_or_default();
+    format!("{before}{last}")
 }
 
 #[cfg(test)]

@@ -86,15 +86,11 @@ impl ObjectSet {
         let Some(objects) = tree.child(set, OBJECTS_TAG) else {
             made.push(self.objects);
             let list = NewElement::parent(OBJECTS_TAG, members.to_vec());
-            return match append_first(tree, set, &list) {
-                Some(edit) => vec![edit],
-                None => fill_empty(tree, set, &[list], of_set, made),
-            };
+            return append_first(tree, set, &list)
+                .map_or_else(|| fill_empty(tree, set, &[list], of_set, made), |edit| vec![edit]);
         };
-        match append(tree, objects, members) {
-            Some(edit) => vec![edit],
-            None => fill_empty(tree, objects, members, of_objects, made),
-        }
+        append(tree, objects, members)
+            .map_or_else(|| fill_empty(tree, objects, members, of_objects, made), |edit| vec![edit])
     }
 
     /// A note's letters `made` for elements that the program made, without the letters for elements of this set.

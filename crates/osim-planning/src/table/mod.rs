@@ -143,12 +143,8 @@ impl Table {
 
     /// The failure for a fault in a row of the table; messages call the table `shown`.
     pub fn failure(&self, shown: &str, line: u64, fault: &RowFault) -> Failure {
-        let place = match &fault.column {
-            Some(column) => format!("row {line}, column '{column}': "),
-            None => format!("row {line}: "),
-        };
-        let mut message = Phrase::from(place);
-        message.push(&fault.message);
+        let column = fault.column.as_ref().map(|column| format!(", column '{column}'")).unwrap_or_default();
+        let message = phrase![format!("row {line}{column}: "), &fault.message];
         let mut failure = Failure::outside(shown, "manifest", message);
         failure.line = usize::try_from(line).ok();
         let index =

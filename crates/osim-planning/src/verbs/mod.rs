@@ -20,10 +20,7 @@ use crate::prepared_change::PreparedChange;
 /// The verbs that change models, in words: `rescale, transfer, design, set, fit or note`.
 pub(crate) fn changing_verbs() -> String {
     let names: Vec<&str> = CHANGING.iter().map(|verb| verb.name()).collect();
-    match names.split_last() {
-        Some((last, others)) => format!("{} or {last}", others.join(", ")),
-        None => String::new(),
-    }
+    names.split_last().map_or_else(String::new, |(last, others)| format!("{} or {last}", others.join(", ")))
 }
 
 /// Checks a request that changes models, once for all of its models, and reads the other files that it names. A design without models

@@ -250,13 +250,9 @@ impl TransferPlanner {
             let doubt = Suspicion::Other { question: YesQuestion::WrongAfterwards, text: text.into() };
             self.answers.require_yes(Some(doubt)).map_err(Fault::new)?;
         }
-        let (follow, mut findings, mut remarks) = match generic {
-            Some(generic) => {
-                let (follow, factors) = self.followed_spheres(model, selected, reference, generic)?;
-                (Some(follow), factors.findings, factors.remarks)
-            }
-            None => (None, Vec::new(), Vec::new()),
-        };
+        let followed = |generic| self.followed_spheres(model, selected, reference, generic);
+        let (follow, factors) = generic.map(followed).transpose()?.unzip();
+        let Factors { mut findings, mut remarks, .. } = factors.unwrap_or_default();
         let (in_model, in_reference, only_ratio_known) =
             self.sphere_counts(model, selected, reference, generic)?;
         let radius = self.scaling.radius();
@@ -346,10 +342,7 @@ impl TransferPlanner {
         let limbs = self.counts.stance_limbs(model.noted_stance_limbs());
         let sharing = LoadSharing::of(model, &selected.forces);
         let in_model = sharing.count(self.counts.spheres(), limbs, CountedSpheres::Model);
-        let in_reference = match generic {
-            Some(generic) => generic.sphere_count.clone(),
-            None => Ok(reference.sphere_count),
-        };
+        let in_reference = generic.map_or(Ok(reference.sphere_count), |generic| generic.sphere_count.clone());
         let no_counts_given = self.counts.spheres.is_none() && !self.has_reference_spheres;
         let alike =
             no_counts_given && generic.is_some_and(|generic| generic.has_same_standing_spheres(model));
@@ -380,9 +373,8 @@ impl TransferPlanner {
             return Ok(ScalingRule::Paper);
         }
         let given = self.follow.height_ratio.map(Positive::get);
-        match given.or(follow.map(|follow| follow.size_ratio)) {
-            Some(height_ratio) => Ok(ScalingRule::PredSim { height_ratio }),
-            None => Err(Fault::new(MissingFact::HeightRatio)),
-        }
+        let height_ratio = given.or(follow.map(|follow| follow.size_ratio));
+        let height_ratio = height_ratio.ok_or_else(|| Fault::new(MissingFact::HeightRatio))?;
+        Ok(ScalingRule::PredSim { height_ratio })
     }
 }

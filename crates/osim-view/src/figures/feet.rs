@@ -16,10 +16,7 @@ pub fn feet(states: &[ModelFeet], title: Option<&str>) -> Scene {
         others.entry(&other.name).or_insert(other);
     }
     let blocks = now.feet.iter().map(|foot| block_of_foot(foot, others.get(foot.name.as_str()).copied()));
-    let whose = match before {
-        Some(before) => format!("{} and {}", before.name, now.name),
-        None => now.name.clone(),
-    };
+    let whose = before.map_or_else(|| now.name.clone(), |before| format!("{} and {}", before.name, now.name));
     let of_state = |state: &ModelFeet| match before {
         Some(_) => format!("sphere, {}", state.name),
         None => "sphere".to_owned(),
@@ -48,12 +45,9 @@ pub fn feet(states: &[ModelFeet], title: Option<&str>) -> Scene {
 fn block_of_foot(foot: &Foot, other: Option<&Foot>) -> Block {
     let before = other.map(|other| (other, foot.origin_m - other.origin_m));
     let name = if foot.name.is_empty() { "ground" } else { foot.name.as_str() };
-    let title = match foot.side {
-        Some(side) => format!("{name}, {}", side.as_str()),
-        None => name.to_owned(),
-    };
+    let side = foot.side.map(|side| format!(", {}", side.as_str())).unwrap_or_default();
     Block {
-        title,
+        title: format!("{name}{side}"),
         remarks: remarks_on_foot(foot, before),
         views: [ViewSide::Right, ViewSide::Above].map(|from| view_of_foot(foot, before, from)).into(),
     }
@@ -126,10 +120,7 @@ enum ViewSide {
 /// A foot from one side; `before` is the foot in another state, with the shift to draw it at the same place.
 fn view_of_foot(foot: &Foot, before: Option<(&Foot, DVec3)>, from: ViewSide) -> View {
     let [forward, up, right] = foot.axes.names();
-    let place = match &foot.frame {
-        FootFrame::Ground => "in ground",
-        _ => "in the body",
-    };
+    let place = if foot.frame == FootFrame::Ground { "in ground" } else { "in the body" };
     let side = from == ViewSide::Right;
     let mut view = View {
         title: if side { "from the right" } else { "from above" }.to_owned(),

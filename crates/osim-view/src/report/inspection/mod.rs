@@ -110,10 +110,8 @@ fn table_of_spheres(spheres: &[InspectedSphere], layout: Layout) -> String {
             extent.name(sphere.limb.as_deref().unwrap_or("-"), 10),
             radius_text(sphere, length),
         ];
-        match sphere.lowest_point_m {
-            Some(point) => cells.extend(point.map(length)),
-            None => cells.extend(["?", "?", "?"].map(str::to_owned)),
-        }
+        let lowest = sphere.lowest_point_m.map(|point| point.map(length));
+        cells.extend(lowest.unwrap_or_else(|| ["?"; 3].map(str::to_owned)));
         table.add_row(cells);
     }
     table.right_aligned(&[3, 4, 5, 6]);
