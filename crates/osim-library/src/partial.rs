@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 
 use osim_model::messages::{Input, Phrase, phrase};
 
-use crate::fault::{Context, LibraryFault, Result};
+use crate::fault::{Context, LibraryFault, Result, fault_of_error};
 use crate::file_access;
 
 /// A file of whole lines that only one run at a time may write.
@@ -119,8 +119,21 @@ fn truncate_to(file: &mut File, length: u64) -> std::io::Result<()> {
     file.seek(SeekFrom::Start(length)).map(|_| ())
 }
 
+/// Opens a file of lines to read it. Returns also the length of its whole lines.
+///
+/// # Errors
+/// The file cannot be read, or its last line is incomplete although `may_be_cut` is false.
+pub(crate) fn open_lines(path: &Path, may_be_cut: bool) -> Result<(File, u64)> {
+    let (mut file, length) = file_access::open_to_read(path).map_err(fault_of_error)?;
+    let end = end_of_lines(&mut file, length).map_err(fault_of_error)?;
+    if end < length && !may_be_cut {
+        return Err(LibraryFault::new("its last line is cut off, so this tool did not leave it like that"));
+    }
+    Ok((file, end))
+}
+
 /// The length of the whole lines in the first `length` bytes of a file.
-pub(crate) fn end_of_lines(file: &mut File, length: u64) -> std::io::Result<u64> {
+fn end_of_lines(file: &mut File, length: u64) -> std::io::Result<u64> {
     const READ_BLOCK_BYTES: u64 = 1 << 16;
     let mut end = length;
     while end > 0 {

@@ -65,9 +65,9 @@ impl PreviousRun {
         let format = SummaryFormat::of_path(path)?;
         done.folder = resolved(folder_of(path));
         // Only the partial one may end in the middle of a line: a summary gets its name when it is complete.
-        for (path, may_end_in_a_line) in [(path.clone(), false), (PartialFile::path_for(path), true)] {
+        for (path, may_be_cut) in [(path.clone(), false), (PartialFile::path_for(path), true)] {
             if path.exists() {
-                done.add_lines_of(&path, format, may_end_in_a_line, user_columns)
+                done.add_lines_of(&path, format, may_be_cut, user_columns)
                     .map_err(|fault| fault_of_summary(&path, &fault))?;
             }
         }
@@ -79,10 +79,10 @@ impl PreviousRun {
         &mut self,
         path: &Path,
         format: SummaryFormat,
-        may_end_in_a_line: bool,
+        may_be_cut: bool,
         user_columns: Option<&[String]>,
     ) -> Result<()> {
-        let mut lines = PreviousLines::open(path, format, may_end_in_a_line)?;
+        let mut lines = PreviousLines::open(path, format, may_be_cut)?;
         let file = self.files.len();
         let mut places = Vec::new();
         lines.for_each(user_columns, |offset, record| {

@@ -9,8 +9,7 @@ use osim_model::messages::{Input, phrase, shown};
 use osim_planning::{cell, from_cell};
 
 use crate::fault::{Context, LibraryFault, Result, fault_of_error, fault_of_panic};
-use crate::file_access;
-use crate::partial::end_of_lines;
+use crate::partial::open_lines;
 use crate::run::record::{JsonRecord, Record};
 
 /// The format of a summary, which follows from the ending of its name.
@@ -99,14 +98,9 @@ impl PreviousLines {
     /// Opens a summary, to read its lines.
     ///
     /// # Errors
-    /// The file cannot be read, or its last line is incomplete although `may_end_in_a_line` is false.
-    pub(super) fn open(path: &Path, format: SummaryFormat, may_end_in_a_line: bool) -> Result<Self> {
-        let (mut file, length) = file_access::open_to_read(path).map_err(fault_of_error)?;
-        let end = end_of_lines(&mut file, length).map_err(fault_of_error)?;
-        if end < length && !may_end_in_a_line {
-            let why = "its last line is cut off, so this tool did not leave it like that";
-            return Err(LibraryFault::new(why));
-        }
+    /// As [`open_lines`].
+    pub(super) fn open(path: &Path, format: SummaryFormat, may_be_cut: bool) -> Result<Self> {
+        let (file, end) = open_lines(path, may_be_cut)?;
         Ok(Self { format, file: Mutex::new(file), end, header: csv::StringRecord::new() })
     }
 

@@ -9,8 +9,8 @@ use osim_model::messages::{Input, phrase};
 use osim_planning::{SweepPlan, cell, from_cell};
 
 use crate::fault::{Context, LibraryFault, Result, fault_of_error, fault_of_panic};
-use crate::file_access::{self, NameDigest, digest_of_name};
-use crate::partial::{PartialFile, end_of_lines};
+use crate::file_access::{NameDigest, digest_of_name};
+use crate::partial::{PartialFile, open_lines};
 use crate::paths::make_folder_of;
 
 /// The tables of a sweep in the folder of its variants: of all variants, and of parts that other runs make.
@@ -247,11 +247,7 @@ fn for_each_line(path: &Path, may_be_cut: bool, each: impl FnMut(&str, &str) -> 
 
 /// Calls `each` with the file and the digest of every line of a table.
 fn read_lines(path: &Path, may_be_cut: bool, mut each: impl FnMut(&str, &str) -> Result<()>) -> Result<()> {
-    let (mut file, length) = file_access::open_to_read(path).map_err(fault_of_error)?;
-    let end = end_of_lines(&mut file, length).map_err(fault_of_error)?;
-    if end < length && !may_be_cut {
-        return Err(LibraryFault::new("its last line is cut off, so this tool did not leave it like that"));
-    }
+    let (mut file, end) = open_lines(path, may_be_cut)?;
     file.seek(SeekFrom::Start(0)).map_err(fault_of_error)?;
     let mut lines = BufReader::new(file).take(end);
     let mut first = Vec::new();
