@@ -1,7 +1,7 @@
 //! Computes the states of all contacts along a recording: places, velocities and forces of spheres.
 
 use osim_model::feet::PoseFault;
-use osim_model::{DVec3, Fault, ForceId, HalfSpace, Model, MovingPlacement, Placement, Result, SphereId};
+use osim_model::{DVec3, Fault, ForceId, HalfSpace, Model, MovingPlacement, Placement, SphereId};
 
 use crate::body_motions::{JointMotions, JointPaths};
 use crate::pair::{ContactPair, TouchedSurface, contact_pairs};
@@ -58,6 +58,9 @@ impl Default for Belt {
         Self::Constant(DVec3::ZERO)
     }
 }
+
+/// Contacts along a motion, or the reason why they cannot be computed.
+type Result<T, E = StatesError> = std::result::Result<T, E>;
 
 /// Why the contacts of a model along a motion cannot be computed.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -127,12 +130,7 @@ impl ContactStates {
     /// # Errors
     /// A value of the model that cannot be read, a body whose place is not known, or a coordinate without a value between
     /// ground and a sphere.
-    pub fn of(
-        model: &Model,
-        recording: &Recording,
-        forces: &[ForceId],
-        belt: &Belt,
-    ) -> Result<Self, StatesError> {
+    pub fn of(model: &Model, recording: &Recording, forces: &[ForceId], belt: &Belt) -> Result<Self> {
         Self::from_pairs(model, recording, contact_pairs(model, forces)?, belt, None)
     }
 
@@ -140,7 +138,7 @@ impl ContactStates {
     ///
     /// # Errors
     /// States that cannot be computed.
-    pub fn along(&self, model: &Model, recording: &Recording, belt: &Belt) -> Result<Self, StatesError> {
+    pub fn along(&self, model: &Model, recording: &Recording, belt: &Belt) -> Result<Self> {
         Self::from_pairs(model, recording, (self.pairs.clone(), self.planes.clone()), belt, None)
     }
 
@@ -151,7 +149,7 @@ impl ContactStates {
         known: &JointMotions<'_>,
         recording: &Recording,
         belt: &Belt,
-    ) -> Result<Self, StatesError> {
+    ) -> Result<Self> {
         Self::from_pairs(model, recording, (self.pairs.clone(), self.planes.clone()), belt, Some(known))
     }
 
@@ -162,7 +160,7 @@ impl ContactStates {
         (pairs, planes): (Vec<ContactPair>, Vec<HalfSpace>),
         belt: &Belt,
         known: Option<&JointMotions<'_>>,
-    ) -> Result<Self, StatesError> {
+    ) -> Result<Self> {
         let paths = paths_to(model, &pairs, &planes)?;
         check_values(&paths, recording)?;
         let planar: Vec<Surface> =
@@ -225,7 +223,7 @@ pub(crate) fn paths_to<'m>(
 }
 
 /// Checks that every coordinate on the paths has a value.
-fn check_values(paths: &JointPaths<'_>, recording: &Recording) -> Result<(), StatesError> {
+fn check_values(paths: &JointPaths<'_>, recording: &Recording) -> Result<()> {
     let first = recording.values(0);
     for (joint, range) in paths.coordinates() {
         for (coordinate, value) in joint.coordinates.iter().zip(first.get(range).unwrap_or_default()) {
@@ -266,7 +264,7 @@ struct SurfaceInFrame {
 
 impl Surface {
     /// The surface of a plane on ground or on a body.
-    fn from_plane(plane: &HalfSpace, paths: &JointPaths<'_>) -> Result<Self, StatesError> {
+    fn from_plane(plane: &HalfSpace, paths: &JointPaths<'_>) -> Result<Self> {
         let unread = || Fault::refused(format!("the place of half-space {} cannot be read", plane.path));
         let (normal, point_m) = plane.normal.zip(plane.point_m).ok_or_else(unread)?;
         if plane.body.is_none() && !plane.on_ground {
@@ -277,7 +275,7 @@ impl Surface {
     }
 
     /// The surface of a sphere that another sphere touches.
-    fn from_sphere(model: &Model, id: SphereId, paths: &JointPaths<'_>) -> Result<Self> {
+    fn from_sphere(model: &Model, id: SphereId, paths: &JointPaths<'_>) -> Result<Self, Fault> {
         let unread = || Fault::refused("the place of a sphere that another one touches cannot be read");
         let (sphere, point_m) = model.sphere(id).zip(model.centre_m(id)).ok_or_else(unread)?;
         let body = sphere.body.as_deref().and_then(|body| paths.body(body));
