@@ -111,10 +111,7 @@ impl Terminal {
 
     /// Prints text that is not a result on standard error.
     pub(crate) fn print_to_stderr(&mut self, text: &str) -> io::Result<()> {
-        if self.is_quiet {
-            return Ok(());
-        }
-        self.print_to_stderr_unbroken(&fitted(text, self.err))
+        if self.is_quiet { Ok(()) } else { self.print_to_stderr_unbroken(&fitted(text, self.err)) }
     }
 
     /// Prints text that is not a result on standard error, with unbroken lines.

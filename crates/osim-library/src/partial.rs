@@ -65,9 +65,7 @@ impl PartialFile {
             ErrorKind::Other => LibraryFault::new(format!("{}: {error}", cannot())),
             _ => LibraryFault::system(cannot(), file_access::reason(&error)),
         })?;
-        let Some(mut file) = opened else {
-            return Err(fault_of_file_in_use(whole, way_out));
-        };
+        let mut file = opened.ok_or_else(|| fault_of_file_in_use(whole, way_out))?;
         // A line that was cut off when the run was killed must not run into the next one.
         let length = if resume { file.metadata().context(cannot)?.len() } else { 0 };
         let kept = end_of_lines(&mut file, length).context(cannot)?;

@@ -349,9 +349,7 @@ impl Design {
                 Ok((stiffness.map_err(Fault::new)?, ChangedBy::Equation("A.5")))
             }
             DesignModulus::Indentation(x) | DesignModulus::Stress(x) => {
-                let Some(load) = &self.load else {
-                    return Err(Fault::new(MissingFact::Load));
-                };
+                let load = self.load.as_ref().ok_or_else(|| Fault::new(MissingFact::Load))?;
                 let is_stress = matches!(modulus, DesignModulus::Stress(_));
                 let stressed = || indentation_of_stress(x, load.per_sphere_n(), radius_m);
                 let x = if is_stress { stressed().map_err(Fault::refused)? } else { x };

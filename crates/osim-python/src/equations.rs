@@ -57,9 +57,8 @@ pub(crate) fn equation<'py>(
 ) -> PyResult<ValueOrRefusal<Bound<'py, PyByteArray>>> {
     let values = without_gil(py, || {
         let Some(function) = all().find(|one| one.name == name) else { return Err(unknown_equation(name)) };
-        let Some(rule) = rule_by_name(rule_name.unwrap_or(OPENSIM_RULE)) else {
-            return Err(unknown_mixing_rule(rule_name));
-        };
+        let rule = rule_by_name(rule_name.unwrap_or(OPENSIM_RULE));
+        let rule = rule.ok_or_else(|| unknown_mixing_rule(rule_name))?;
         let columns: Vec<Vec<f64>> = columns.iter().map(|column| to_floats(column)).collect();
         let columns: Vec<&[f64]> = columns.iter().map(Vec::as_slice).collect();
         Ok(function.values(rule, &columns))
@@ -83,9 +82,8 @@ pub(crate) fn equation_of_list(
         if name == mean_square_radius::NAME {
             return Ok(mean_square_radius::value(columns.first().copied().unwrap_or_default()));
         }
-        let Some(function) = SPHERE_LIST_FUNCTIONS.iter().find(|one| one.name == name) else {
-            return Err(unknown_equation(name));
-        };
+        let function = SPHERE_LIST_FUNCTIONS.iter().find(|one| one.name == name);
+        let function = function.ok_or_else(|| unknown_equation(name))?;
         Ok(function.value(&columns, heights.as_ref().map(|heights| to_floats(heights)).as_deref(), load))
     })?;
     Ok(value_or_refusal(value))

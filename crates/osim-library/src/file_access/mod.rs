@@ -243,10 +243,7 @@ fn read_to_length(mut file: &File, metadata: &Metadata) -> Result<Vec<u8>, ReadR
     file.by_ref().take(length + 1).read_to_end(&mut bytes)?;
     let after = file.metadata()?;
     let same_time = after.modified().ok() == metadata.modified().ok();
-    if !same_time || bytes.len() as u64 != after.len() {
-        return Err(ReadRefusal::Changed);
-    }
-    Ok(bytes)
+    if same_time && bytes.len() as u64 == after.len() { Ok(bytes) } else { Err(ReadRefusal::Changed) }
 }
 
 /// Reads a stream to its end. Refuses it if it has more than `most` bytes.

@@ -55,9 +55,7 @@ impl<'t> ContactChoice<'t> {
     /// Chooses the contact for each sphere: that of the sphere which the caller named, the common one, or that of the same name.
     pub(crate) fn new(model: &Model, selected: &Selected, wanted: &'t Transfer) -> Result<Self> {
         let contacts = &wanted.reference.contacts;
-        let Some(first) = contacts.first() else {
-            return Err(wanted.reference.without_contacts());
-        };
+        let first = contacts.first().ok_or_else(|| wanted.reference.without_contacts())?;
         if let Some(name) = &wanted.reference_sphere {
             let named = contacts.iter().find_map(|contact| {
                 let at = contact.spheres.iter().position(|known| known == name)?;
@@ -134,9 +132,8 @@ impl<'t> ContactChoice<'t> {
         let moving: Vec<SphereId> =
             sphere_sets(model, force).into_iter().flat_map(|(_, spheres)| spheres).collect();
         let mut contacts = moving.iter().map(|&sphere| self.contact_for_sphere(model, sphere));
-        let Some(first) = contacts.next() else {
-            return Err(Fault::refused(format!("{} has no moving sphere", force.path)));
-        };
+        let none = || Fault::refused(format!("{} has no moving sphere", force.path));
+        let first = contacts.next().ok_or_else(none)?;
         let base = dimensionless_contact(first)?;
         for other in contacts {
             if !dimensionless_contact(other)?.agrees_with(&base, SAME_CONTACT_TOLERANCE) {

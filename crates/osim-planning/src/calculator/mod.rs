@@ -186,10 +186,7 @@ pub fn design_sheet(request: &DesignRequest) -> Result<DesignSheet, RequestFault
     let composite = sizing.map(|sizing| sizing.composite_modulus_n_m2).or(inputs.composite_modulus);
     add_dissipation(&mut sheet, &request.wanted, radius, inputs.gravity_m_s2)?;
     add_smoothing(&mut sheet, request, radius, composite, at_rest)?;
-    if sheet.figures.is_empty() {
-        return Err(inputs.missing_inputs());
-    }
-    Ok(sheet)
+    if sheet.figures.is_empty() { Err(inputs.missing_inputs()) } else { Ok(sheet) }
 }
 
 /// The first input that only makes sense with a model.

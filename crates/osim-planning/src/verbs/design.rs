@@ -146,9 +146,8 @@ impl DesignPlanner {
             None => {
                 let mass = self.masses.model_mass(model)?;
                 let gravity = self.load.gravity().or(model.gravity()).filter(|&gravity| gravity > 0.0);
-                let Some(gravity) = gravity else {
-                    return Err(Fault::new(MissingFact::Gravity { purpose: GravityFor::Load }));
-                };
+                let purpose = GravityFor::Load;
+                let gravity = gravity.ok_or_else(|| Fault::new(MissingFact::Gravity { purpose }))?;
                 let along_normal = gravity * weight_share_on_floor(model, &sharing.forces);
                 (mass.kg * along_normal * self.load.body_weights(), Some(mass))
             }

@@ -142,10 +142,7 @@ impl BodyFactors {
 fn factors_since_note(model: &Model) -> Result<ScaleFile, Fault> {
     let unknown = || Fault::new(MissingFact::NotedSizes);
     let since = model.scaled_since_note().ok_or_else(unknown)?;
-    if !since.has_all_carriers(model) {
-        return Err(unknown());
-    }
-    Ok(ScaleFile::from_factors(since.factors))
+    if since.has_all_carriers(model) { Ok(ScaleFile::from_factors(since.factors)) } else { Err(unknown()) }
 }
 
 /// Refuses a ScaleSet whose factors differ from the scaling of the bodies since the note was written.

@@ -108,10 +108,7 @@ pub fn number(text: &str) -> Result<f64, String> {
 /// # Errors
 /// The text is not such a number.
 pub(crate) fn number_in(text: &str, expected: &str, units: &[UnitSpelling]) -> Result<f64, String> {
-    if plain_number(trimmed(text)) == Some(0.0) {
-        return Ok(0.0);
-    }
-    positive(text, expected, units)
+    if plain_number(trimmed(text)) == Some(0.0) { Ok(0.0) } else { positive(text, expected, units) }
 }
 
 /// A number that is 0 or more; `expected` and `units` are for the error message.
