@@ -4,7 +4,7 @@
 //! tags that do not match) and leaves the whole file to [`scan`](super::scan), which supports all of XML and reports errors. If the fast
 //! scan finishes, both scans give the same pieces and elements: tests with all fixtures and real models, and a fuzz target, compare them.
 
-use super::tree::{PieceKind, StoredElement, StoredPiece, is_name_byte, is_space};
+use super::tree::{StoredElement, is_name_byte, is_space};
 
 /// With more attributes than this on a tag, the file is left to the full scan, which finds repeated names.
 const MOST_PLAIN_ATTRIBUTES: usize = 8;
@@ -19,7 +19,7 @@ const ONE_IN_EACH_BYTE: u64 = u64::from_ne_bytes([1; 8]);
 
 /// The pieces and elements of `text`, whose first byte is byte `base` of the file (after a byte order mark). `None` if the file is not
 /// plain.
-pub(super) fn scan_plain(text: &str, base: usize) -> Option<(Vec<StoredPiece>, Vec<StoredElement>)> {
+pub(super) fn scan_plain(text: &str, base: usize) -> Option<(Vec<u32>, Vec<StoredElement>)> {
     let length = text.len();
     let mut scan = PlainScan {
         bytes: text.as_bytes(),
@@ -29,7 +29,7 @@ pub(super) fn scan_plain(text: &str, base: usize) -> Option<(Vec<StoredPiece>, V
         open: Vec::new(),
     };
     if base > 0 {
-        scan.pieces.push(StoredPiece { start: 0, kind: PieceKind::ByteOrderMark });
+        scan.pieces.push(0);
     }
     while scan.at < length {
         scan.piece()?;
@@ -43,7 +43,7 @@ struct PlainScan<'t> {
     bytes: &'t [u8],
     /// Offset of the next byte to read.
     at: usize,
-    pieces: Vec<StoredPiece>,
+    pieces: Vec<u32>,
     elements: Vec<StoredElement>,
     /// Indices of the elements that are still open, the outermost first.
     open: Vec<u32>,
@@ -69,8 +69,8 @@ impl PlainScan<'_> {
     }
 
     /// Stores the piece that ends at `end`.
-    fn push(&mut self, kind: PieceKind, end: usize) {
-        self.pieces.push(StoredPiece { start: self.at as u32, kind });
+    fn push(&mut self, end: usize) {
+        self.pieces.push(self.at as u32);
         self.at = end;
     }
 
@@ -83,7 +83,7 @@ impl PlainScan<'_> {
         if rest.get(length) == Some(&b'&') || !(inside || text.iter().all(|&byte| is_space(byte))) {
             return None;
         }
-        self.push(PieceKind::Text, self.at + length);
+        self.push(self.at + length);
         Some(())
     }
 
@@ -104,7 +104,7 @@ impl PlainScan<'_> {
         let (name_start, name_len) = (self.at as u32 + 1, name_len as u32);
         let subtree_end = id + 1;
         self.elements.push(StoredElement { open, close: open, parent, subtree_end, name_start, name_len });
-        self.push(if empty { PieceKind::Empty } else { PieceKind::Open }, end + 1);
+        self.push(end + 1);
         if !empty {
             self.open.push(id);
         }
@@ -123,7 +123,7 @@ impl PlainScan<'_> {
         if !same || self.byte(end) != b'>' {
             return None;
         }
-        self.push(PieceKind::Close, end + 1);
+        self.push(end + 1);
         Some(())
     }
 
@@ -137,7 +137,7 @@ impl PlainScan<'_> {
         // Few comments hold a `>` before their end, so looking for one letter is quicker than for three.
         let is_end = |&at: &usize| rest.get(..at).is_some_and(|before| before.ends_with(b"--"));
         let end = from + memchr::memchr_iter(b'>', rest).find(is_end)? + 1;
-        self.push(PieceKind::Comment, end);
+        self.push(end);
         Some(())
     }
 
@@ -149,7 +149,7 @@ impl PlainScan<'_> {
         let rest = self.bytes.get(from..)?;
         let is_end = |&at: &usize| rest.get(..at).is_some_and(|before| before.ends_with(b"?"));
         let end = from + memchr::memchr_iter(b'>', rest).find(is_end)? + 1;
-        self.push(PieceKind::Other, end);
+        self.push(end);
         Some(())
     }
 

@@ -6,7 +6,7 @@ use quick_xml::events::{BytesStart, Event};
 use quick_xml::reader::Reader;
 
 use super::plain_scan::scan_plain;
-use super::tree::{FileText, PieceKind, StoredElement, StoredPiece, Tree};
+use super::tree::{BYTE_ORDER_MARK, FileText, StoredElement, Tree};
 
 /// Why a file is not one well-formed XML document.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
@@ -83,7 +83,6 @@ impl SyntaxError {
 // outside the root, elements left open, a second byte order mark) is refused here. Its comment checks stay off: real models
 // have `<!--` inside a comment.
 
-const BYTE_ORDER_MARK: &[u8] = b"\xEF\xBB\xBF";
 /// How archives begin.
 const ARCHIVES: [(&[u8], &str); 4] =
     [(b"PK\x03\x04", "ZIP"), (b"\x1F\x8B", "gzip"), (b"7z\xBC\xAF", "7z"), (b"Rar!", "RAR")];
@@ -104,7 +103,7 @@ impl Tree {
     }
 }
 
-fn pieces_and_elements(file: &FileText) -> Result<(Vec<StoredPiece>, Vec<StoredElement>), Fault> {
+fn pieces_and_elements(file: &FileText) -> Result<(Vec<u32>, Vec<StoredElement>), Fault> {
     let (bytes, text) = (file.bytes(), file.as_str());
     refuse_foreign_encodings(bytes)?;
     let mark = if bytes.starts_with(BYTE_ORDER_MARK) { BYTE_ORDER_MARK.len() } else { 0 };
@@ -143,7 +142,7 @@ struct Scanner<'t> {
     text: &'t str,
     /// Length of the byte order mark. The parser quick-xml gets the text after it.
     base: usize,
-    pieces: Vec<StoredPiece>,
+    pieces: Vec<u32>,
     elements: Vec<StoredElement>,
     /// Indices of the elements that are still open, the outermost first.
     open: Vec<u32>,
@@ -155,12 +154,12 @@ impl<'t> Scanner<'t> {
         let tags = memchr::memchr_iter(b'<', text.as_bytes()).count();
         let mut pieces = Vec::with_capacity(2 * tags + 2);
         if base > 0 {
-            pieces.push(StoredPiece { start: 0, kind: PieceKind::ByteOrderMark });
+            pieces.push(0);
         }
         Self { text, base, pieces, elements: Vec::with_capacity(tags / 2 + 1), open: Vec::new() }
     }
 
-    fn run(mut self) -> Result<(Vec<StoredPiece>, Vec<StoredElement>), Fault> {
+    fn run(mut self) -> Result<(Vec<u32>, Vec<StoredElement>), Fault> {
         let mut reader = Reader::from_str(self.text.get(self.base..).unwrap_or_default());
         reader.config_mut().allow_dangling_amp = true;
         // OpenSim refuses `</tag >`.
@@ -174,15 +173,15 @@ impl<'t> Scanner<'t> {
                 Event::Eof => break,
                 Event::Start(tag) => {
                     check_attributes(&tag, start)?;
-                    self.enter(start, PieceKind::Open, tag.name().as_ref().len())?;
+                    self.enter(start, tag.name().as_ref().len())?;
                 }
                 Event::Empty(tag) => {
                     check_attributes(&tag, start)?;
-                    self.enter(start, PieceKind::Empty, tag.name().as_ref().len())?;
+                    self.enter(start, tag.name().as_ref().len())?;
                     self.leave();
                 }
                 Event::End(_) => {
-                    self.push(start, PieceKind::Close);
+                    self.push(start);
                     self.leave();
                 }
                 Event::Text(text) => {
@@ -191,39 +190,36 @@ impl<'t> Scanner<'t> {
                     {
                         return Err(self.stray_text_fault(start + at));
                     }
-                    self.push(start, PieceKind::Text);
+                    self.push(start);
                 }
                 Event::CData(_) | Event::GeneralRef(_) if self.open.is_empty() => {
                     return Err(self.stray_text_fault(start));
                 }
-                Event::CData(_) => self.push(start, PieceKind::CData),
-                Event::GeneralRef(_) => self.push(start, PieceKind::Reference),
-                Event::Comment(_) => self.push(start, PieceKind::Comment),
                 Event::DocType(text) if text.contains('[') => {
                     return Err((SyntaxFault::DoctypeSubset, start));
                 }
-                Event::DocType(_) | Event::Decl(_) | Event::PI(_) => self.push(start, PieceKind::Other),
+                _ => self.push(start),
             }
         }
         self.finish()
     }
 
     /// Stores the piece that begins at `start`.
-    fn push(&mut self, start: usize, kind: PieceKind) {
+    fn push(&mut self, start: usize) {
         // Offsets fit: the length was checked before scanning.
-        self.pieces.push(StoredPiece { start: start as u32, kind });
+        self.pieces.push(start as u32);
     }
 
     /// Opens an element at the byte `start`.
     ///
     /// # Errors
     /// It is a second outermost element.
-    fn enter(&mut self, start: usize, kind: PieceKind, name_len: usize) -> Result<(), Fault> {
+    fn enter(&mut self, start: usize, name_len: usize) -> Result<(), Fault> {
         if self.open.is_empty() && !self.elements.is_empty() {
             return Err((SyntaxFault::SecondRoot, start));
         }
         let open = self.pieces.len() as u32;
-        self.push(start, kind);
+        self.push(start);
         let id = self.elements.len() as u32;
         let parent = self.open.last().copied().unwrap_or(0);
         let (name_start, name_len) = (start as u32 + 1, name_len as u32);
@@ -241,9 +237,9 @@ impl<'t> Scanner<'t> {
         }
     }
 
-    fn finish(self) -> Result<(Vec<StoredPiece>, Vec<StoredElement>), Fault> {
+    fn finish(self) -> Result<(Vec<u32>, Vec<StoredElement>), Fault> {
         if let Some(element) = self.open.last().and_then(|&id| self.elements.get(id as usize)) {
-            let start = self.pieces.get(element.open as usize).map_or(0, |piece| piece.start as usize);
+            let start = self.pieces.get(element.open as usize).map_or(0, |&start| start as usize);
             let tag = tag_name(self.text.get(start..).unwrap_or_default());
             return Err((SyntaxFault::Unclosed { tag }, start));
         }
@@ -321,7 +317,7 @@ fn check_attributes(tag: &BytesStart<'_>, start: usize) -> Result<(), Fault> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::xml::tree::ElementId;
+    use crate::xml::tree::{ElementId, PieceKind};
 
     #[track_caller]
     fn fault_of_xml(bytes: &[u8]) -> (SyntaxFault, usize) {
@@ -341,6 +337,32 @@ mod tests {
             at = piece.span.end;
         }
         assert_eq!(at, text.len());
+        assert_eq!(kinds_of(&tree), kinds_by_parser(str::from_utf8(text).unwrap()));
+    }
+
+    fn kinds_of(tree: &Tree) -> Vec<PieceKind> {
+        tree.pieces().map(|piece| piece.kind).collect()
+    }
+
+    /// The kinds of the pieces of `text`, as the parser names them.
+    fn kinds_by_parser(text: &str) -> Vec<PieceKind> {
+        let rest = text.trim_start_matches('\u{feff}');
+        let mut kinds = vec![PieceKind::ByteOrderMark; usize::from(rest.len() < text.len())];
+        let mut reader = Reader::from_str(rest);
+        reader.config_mut().allow_dangling_amp = true;
+        loop {
+            kinds.push(match reader.read_event().unwrap() {
+                Event::Eof => return kinds,
+                Event::Start(_) => PieceKind::Open,
+                Event::Empty(_) => PieceKind::Empty,
+                Event::End(_) => PieceKind::Close,
+                Event::Text(_) => PieceKind::Text,
+                Event::CData(_) => PieceKind::CData,
+                Event::GeneralRef(_) => PieceKind::Reference,
+                Event::Comment(_) => PieceKind::Comment,
+                Event::DocType(_) | Event::Decl(_) | Event::PI(_) => PieceKind::Other,
+            });
+        }
     }
 
     #[test]
@@ -383,11 +405,14 @@ mod tests {
         let mut left = 0;
         for text in [text, plain] {
             for at in 0..text.len() {
-                for byte in *b"<>/&'\"= \n!-?ax1:[]\x96\x0c" {
+                for byte in *b"<>/&;'\"= \n!-?ax1:[]\x96\x0c" {
                     let mut bytes = text.as_bytes().to_vec();
                     bytes[at] = byte;
                     let file = FileText::new(bytes);
                     let text = file.as_str();
+                    if let Ok(tree) = Tree::scan(text) {
+                        assert_eq!(kinds_of(&tree), kinds_by_parser(text), "{text}");
+                    }
                     match scan_plain(text, 0) {
                         Some(found) => assert_eq!(Scanner::new(text, 0).run(), Ok(found), "{text}"),
                         None => left += 1,

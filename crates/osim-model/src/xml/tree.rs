@@ -5,9 +5,10 @@ use std::ops::Range;
 
 use quick_xml::events::attributes::{Attribute, Attributes};
 
+pub(super) const BYTE_ORDER_MARK: &[u8] = b"\xEF\xBB\xBF";
+
 /// What a piece of a file is: a tag, a text, or another part of XML.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[repr(u8)]
 pub enum PieceKind {
     ByteOrderMark,
     /// A start tag, `<tag …>`.
@@ -34,13 +35,6 @@ pub struct Piece<'t> {
     pub span: Range<usize>,
     /// Text of the piece. A byte that is not UTF-8 is replaced by `?`.
     pub text: &'t str,
-}
-
-/// A piece as the tree stores it. Its end is the start of the next piece.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) struct StoredPiece {
-    pub(super) start: u32,
-    pub(super) kind: PieceKind,
 }
 
 /// Handle of an element in a [`Tree`]. Elements are in file order; [`ElementId::ROOT`] is the first.
@@ -90,12 +84,13 @@ pub(super) struct StoredElement {
 #[derive(Debug, Clone)]
 pub struct Tree {
     text: FileText,
-    pieces: Vec<StoredPiece>,
+    /// The byte at which each piece begins. It ends where the next one begins.
+    pieces: Vec<u32>,
     elements: Vec<StoredElement>,
 }
 
 impl Tree {
-    pub(super) fn new(text: FileText, pieces: Vec<StoredPiece>, elements: Vec<StoredElement>) -> Self {
+    pub(super) fn new(text: FileText, pieces: Vec<u32>, elements: Vec<StoredElement>) -> Self {
         Self { text, pieces, elements }
     }
 
@@ -122,9 +117,22 @@ impl Tree {
     }
 
     pub(super) fn piece(&self, index: usize) -> Option<Piece<'_>> {
-        let kind = self.pieces.get(index)?.kind;
+        self.pieces.get(index)?;
         let span = self.piece_span(index);
-        Some(Piece { kind, text: self.slice(span.clone()), span })
+        let text = self.slice(span.clone());
+        let kind = match text.as_bytes() {
+            [b'<', b'/', ..] => PieceKind::Close,
+            [b'<', b'!', b'-', ..] => PieceKind::Comment,
+            [b'<', b'!', b'[', ..] => PieceKind::CData,
+            [b'<', b'!' | b'?', ..] => PieceKind::Other,
+            [b'<', .., b'/', b'>'] => PieceKind::Empty,
+            [b'<', ..] => PieceKind::Open,
+            // A text that begins with `&` has no `;` after it.
+            [b'&', .., b';'] => PieceKind::Reference,
+            BYTE_ORDER_MARK if index == 0 => PieceKind::ByteOrderMark,
+            _ => PieceKind::Text,
+        };
+        Some(Piece { kind, text, span })
     }
 
     /// All elements of the file, in order.
@@ -140,8 +148,8 @@ impl Tree {
     /// Bytes of piece `index`; empty if there is no such piece.
     pub(super) fn piece_span(&self, index: usize) -> Range<usize> {
         let end = self.text.as_str().len();
-        let start = self.pieces.get(index).map_or(end, |piece| piece.start as usize);
-        start..self.pieces.get(index + 1).map_or(end, |next| next.start as usize)
+        let start = |index: usize| self.pieces.get(index).map_or(end, |&start| start as usize);
+        start(index)..start(index + 1)
     }
 
     /// The text of the bytes `span`; empty if they do not begin and end between two letters of the file.
