@@ -184,16 +184,11 @@ fn find_lost_sockets_of_coordinates(model: &Model) -> Option<Finding> {
     });
     // Few models have such a socket.
     let known = LazyCell::new(|| paths.collect::<HashSet<String>>());
-    let (tree, mut lost) = (document.tree(), Vec::new());
-    tree.walk(document.data_root(), |id| {
-        let tag = tree.name(id);
-        if tag.starts_with("socket_") && tag.ends_with("coordinate") {
-            let text = tree.text_of(id);
-            let is_read = text.contains('/') && !text.starts_with('/') || known.contains(&*text);
-            lost.extend((!is_read).then_some((id, text)));
-        }
-        tag != "defaults"
-    });
+    let tree = document.tree();
+    let sockets = document.sockets().iter().filter(|id| tree.name(**id).ends_with("coordinate"));
+    let is_lost = |text: &str| (!text.contains('/') || text.starts_with('/')) && !known.contains(text);
+    let with_text = sockets.map(|&id| (id, tree.text_of(id)));
+    let lost: Vec<_> = with_text.filter(|(_, text)| is_lost(text)).collect();
     let (first, text) = lost.first()?;
     let path = path_of_component(model, FileId::MAIN, *first);
     let others = other_cases_in_words(lost.len(), "another socket, too", "other sockets, too");

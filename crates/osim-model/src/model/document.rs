@@ -36,6 +36,8 @@ pub struct Document {
     /// The first object of each class in `<defaults>`.
     by_class: HashMap<String, DefaultObject>,
     may_include: OnceLock<bool>,
+    /// Found when they are first asked for.
+    sockets: OnceLock<Vec<ElementId>>,
     /// Finds lines of byte offsets. Built when a line is first asked for.
     lines: OnceLock<LineIndex>,
 }
@@ -58,6 +60,7 @@ impl Document {
             defaults,
             by_class,
             may_include: OnceLock::new(),
+            sockets: OnceLock::new(),
             lines: OnceLock::new(),
         })
     }
@@ -99,6 +102,19 @@ impl Document {
 
     pub fn defaults(&self) -> Option<ElementId> {
         self.defaults
+    }
+
+    /// The elements outside `<defaults>` whose names begin with `socket_`, in file order.
+    pub fn sockets(&self) -> &[ElementId] {
+        self.sockets.get_or_init(|| {
+            let mut sockets = Vec::new();
+            self.tree.walk(self.data_root, |element| {
+                let tag = self.tree.name(element);
+                sockets.extend(tag.starts_with("socket_").then_some(element));
+                tag != "defaults"
+            });
+            sockets
+        })
     }
 
     /// Line and column (from 1) of the byte `offset` (from 0).

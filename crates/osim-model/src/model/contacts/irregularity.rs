@@ -62,16 +62,9 @@ impl ContactReader<'_> {
     /// Records the sockets of all other objects, such as path points and markers, that lead to no frame.
     pub(super) fn record_other_sockets(&mut self) {
         let (components, document) = (self.components, self.components.main());
-        let (tree, is_model) = (document.tree(), document.is_model());
-        let (mut sockets, mut found_paths) = (Vec::new(), HashSet::new());
-        tree.walk(document.data_root(), |element| {
-            let tag = tree.name(element);
-            if let Some(socket) = tag.strip_prefix("socket_") {
-                sockets.push((element, socket));
-            }
-            is_model && tag != "defaults"
-        });
-        for (element, socket) in sockets {
+        let (tree, mut found_paths) = (document.tree(), HashSet::new());
+        for &element in document.sockets().iter().filter(|_| document.is_model()) {
+            let socket = tree.name(element).strip_prefix("socket_").unwrap_or_default();
             let text = tree.text_of(element);
             // The points of muscles are on a few bodies.
             if found_paths.contains(&text) || !is_of_frame(socket) {
