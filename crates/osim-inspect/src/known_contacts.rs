@@ -33,7 +33,7 @@ pub struct KnownContacts {
 
 impl KnownContacts {
     fn new(entry: &'static KnownContactsEntry, made_for_kg: f64) -> Self {
-        Self { name: &entry.name, title: &entry.title, source: &entry.source, made_for_kg }
+        Self { name: entry.name, title: entry.title, source: entry.source, made_for_kg }
     }
 
     /// Recognises the contacts of `forces`, if `count` of their spheres share the weight under a body of `mass_kg`.
@@ -240,7 +240,7 @@ impl KnownContactsEntry {
 
     /// The severity that a finding has with these contacts, if it differs from the severity of its rule.
     fn severity(&self, code: FindingCode) -> Option<Severity> {
-        let level = self.severity.get(code.as_str())?;
+        let level = *self.severity.get(code.as_str())?;
         Severity::ALL.iter().copied().find(|severity| severity.as_str() == level)
     }
 
@@ -352,11 +352,11 @@ impl KnownContactsEntry {
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct KnownContactsEntry {
-    pub name: String,
+    pub name: &'static str,
     /// The name of the contacts in messages, such as `Falisse et al. (2022)`.
-    pub title: String,
+    pub title: &'static str,
     /// Where the contacts were published, and which findings about them are accepted.
-    pub source: String,
+    pub source: &'static str,
     /// The mass that the contacts were made for, kg.
     pub made_for_kg: f64,
     /// The mass of the published body that carries them, if it is another one.
@@ -366,7 +366,7 @@ struct KnownContactsEntry {
     pub transition_velocity: f64,
     /// The published contacts of one limb; equal contacts are one entry.
     pub contacts: Vec<PublishedContact>,
-    severity: BTreeMap<String, String>,
+    severity: BTreeMap<&'static str, &'static str>,
 }
 
 /// The published parameters of one contact, in an entry of the table of known contacts.
@@ -401,14 +401,14 @@ mod tests {
         let entries: Vec<KnownContactsEntry> =
             serde_json::from_str(include_str!("known_contacts.json")).unwrap();
         assert!(!entries.is_empty());
-        let names: BTreeSet<&str> = entries.iter().map(|entry| entry.name.as_str()).collect();
+        let names: BTreeSet<&str> = entries.iter().map(|entry| entry.name).collect();
         assert_eq!(names.len(), entries.len());
         let codes: Vec<&str> = FindingCode::ALL.iter().map(|code| code.as_str()).collect();
         for entry in &entries {
             assert!(!entry.source.is_empty() && entry.made_for_kg > 0.0 && entry.spheres() > 0);
-            assert!(entry.severity.keys().all(|code| codes.contains(&code.as_str())), "{}", entry.name);
+            assert!(entry.severity.keys().all(|code| codes.contains(code)), "{}", entry.name);
             let levels: Vec<&str> = Severity::ALL.iter().map(|severity| severity.as_str()).collect();
-            assert!(entry.severity.values().all(|level| levels.contains(&level.as_str())), "{}", entry.name);
+            assert!(entry.severity.values().all(|level| levels.contains(level)), "{}", entry.name);
         }
     }
 

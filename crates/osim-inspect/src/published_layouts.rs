@@ -22,21 +22,21 @@ const SAME_PLACE_M: f64 = 1e-6;
 #[serde(deny_unknown_fields)]
 struct PublishedLayout {
     #[cfg_attr(not(test), expect(dead_code, reason = "for readers of the table"))]
-    name: String,
-    title: String,
+    name: &'static str,
+    title: &'static str,
     /// The publication of the layout, with its licence.
     #[cfg_attr(not(test), expect(dead_code, reason = "for readers of the table"))]
-    source: String,
+    source: &'static str,
     /// For each published size of the bones, the factors of each body's meshes; names of bodies are without their side.
-    sizes: Vec<BTreeMap<String, [f64; 3]>>,
+    sizes: Vec<BTreeMap<&'static str, [f64; 3]>>,
     places: Option<Vec<PublishedPlace>>,
     /// The number of places and their digest, if the licence does not allow copying them.
-    digest: Option<(usize, String)>,
+    digest: Option<(usize, &'static str)>,
 }
 
 /// The name of a body, and x, y, z of a sphere centre in it, m.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
-struct PublishedPlace(String, f64, f64, f64);
+struct PublishedPlace(&'static str, f64, f64, f64);
 
 /// The centre of a contact sphere in the frame of its body, m.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -111,7 +111,7 @@ fn match_layout(list: Vec<SphereCentre<'_>>, bones: &BodyBones) -> Option<Layout
     if bodies.iter().all(|body| bones.size(body).is_none() && bones.length_by_toe_joint(body).is_none()) {
         return None;
     }
-    let differs = |published: &BTreeMap<String, [f64; 3]>| {
+    let differs = |published: &BTreeMap<&str, [f64; 3]>| {
         bodies.iter().find_map(|&body| {
             let growth = growth_of_bone(bones, body, *published.get(published_name(body))?)?;
             Some((body.to_owned(), growth))
@@ -121,7 +121,7 @@ fn match_layout(list: Vec<SphereCentre<'_>>, bones: &BodyBones) -> Option<Layout
     let differences: Option<Vec<_>> = layout.sizes.iter().map(differs).collect();
     let first = differences.and_then(|differences| differences.into_iter().next());
     let Some((body, growth)) = first else { return Some(LayoutMatch::AsPublished { volume: 1.0 }) };
-    Some(LayoutMatch::OtherSize { title: &layout.title, body, growth })
+    Some(LayoutMatch::OtherSize { title: layout.title, body, growth })
 }
 
 /// A foot has the published length if the length that its toe joint shows differs by at most this, relatively.
@@ -159,7 +159,7 @@ fn match_mirrored_layout(list: Vec<SphereCentre<'_>>, bones: &BodyBones) -> Opti
     if layout_with_centres(list, bones).is_some() {
         return None;
     }
-    Some(layout_with_centres(mirrored, bones)?.title.as_str())
+    Some(layout_with_centres(mirrored, bones)?.title)
 }
 
 /// The layout with these centres, in a published size or in the size of the bones.
@@ -192,7 +192,7 @@ impl PublishedLayout {
                 places.iter().all(|place| list.iter().any(|centre| place.is_at(centre, rounding_m)))
             }
             (None, Some((count, digest))) if *count == list.len() => {
-                digest == centres.digest.get_or_init(|| digest_of_places(list))
+                *digest == centres.digest.get_or_init(|| digest_of_places(list)).as_str()
             }
             _ => false,
         }
@@ -262,7 +262,7 @@ mod tests {
     fn the_table_of_layouts_is_complete() {
         let layouts: Vec<PublishedLayout> = serde_json::from_str(include_str!("layouts.json")).unwrap();
         assert!(layouts.len() >= 10);
-        let names: BTreeSet<&str> = layouts.iter().map(|layout| layout.name.as_str()).collect();
+        let names: BTreeSet<&str> = layouts.iter().map(|layout| layout.name).collect();
         assert_eq!(names.len(), layouts.len());
         for layout in &layouts {
             assert!(layout.places.is_some() != layout.digest.is_some(), "{}", layout.name);
