@@ -33,8 +33,9 @@ pub fn with_options(command: Command, verb: Verb) -> Command {
     let command = if has_items { command.arg(models_and_assignments()) } else { command };
     let options = fields.into_iter().filter_map(|(name, silent)| Some((option_named(verb, &name)?, silent)));
     let options = options.filter(|(option, _)| !has_items || !["models", "set"].contains(&option.name));
+    let relations = relations_of(verb);
     command.args(options.map(|(option, silent)| {
-        let argument = with_conditions(argument_of_option(verb, &option), verb);
+        let argument = with_conditions(argument_of_option(verb, &option), &relations);
         if has_help { with_texts(argument, &option, &silent) } else { argument }
     }))
 }
@@ -82,10 +83,10 @@ fn possible_value((word, meaning): &(&'static str, &'static str)) -> PossibleVal
 }
 
 /// The argument with its conditions: options that it requires or excludes.
-fn with_conditions(argument: Arg, verb: Verb) -> Arg {
+fn with_conditions(argument: Arg, relations: &[Relation]) -> Arg {
     let name = argument.get_id().clone();
-    let relations = relations_of(verb).into_iter().filter(|relation| name == relation.field());
-    relations.fold(argument, |argument, relation| match relation {
+    let relations = relations.iter().filter(|relation| name == relation.field());
+    relations.fold(argument, |argument, relation| match *relation {
         Relation::Required(_) => argument.required(true),
         Relation::Expected(_) | Relation::ExpectedUnless(..) | Relation::Needs(..) => argument,
         Relation::RequiredUnless(_, other) => argument.required_unless_present(other),

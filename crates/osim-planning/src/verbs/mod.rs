@@ -13,7 +13,7 @@ pub(crate) mod set;
 mod transfer;
 
 use osim_model::files::Files;
-use osim_requests::{CHANGING, Request, RequestFault, Result};
+use osim_requests::{CHANGING, NoteDetails, Request, RequestFault, Result};
 
 use crate::prepared_change::PreparedChange;
 
@@ -30,7 +30,8 @@ pub(crate) fn changing_verbs() -> String {
 /// Options that have no effect, or contradict each other; a file that cannot be read; or a verb that changes nothing.
 pub fn prepare(request: impl Into<Request>, files: &dyn Files) -> Result<PreparedChange> {
     let request = request.into();
-    let (details, settings) = (request.noted(), request.settings());
+    let settings = request.settings();
+    let details = NoteDetails::of(request.verb(), &settings);
     Ok(PreparedChange { details, settings, ..prepare_change(request, files)? })
 }
 

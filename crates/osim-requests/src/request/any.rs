@@ -93,7 +93,7 @@ const FIELDS_OF_MODELS: [&str; 2] = ["models", "file"];
 
 /// Fields that are not in the list of options in a note, because its operation, mass or reference has them: see `Step` of
 /// `osim-model`.
-const FIELDS_NOTED_ELSEWHERE: [&str; 6] = ["verb", "models", "from", "target_mass", "set", "stance_limbs"];
+const FIELDS_NOTED_ELSEWHERE: [&str; 5] = ["verb", "from", "target_mass", "set", "stance_limbs"];
 
 /// The parts of a request that the note of a changed model records.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -119,30 +119,25 @@ impl Request {
         };
         self.to_map().into_iter().filter(|(name, _)| !is_other(name)).collect()
     }
+}
 
-    /// The parts of the request that the note of a changed model records.
-    pub fn noted(&self) -> NoteDetails {
-        let others = [
-            all_fields(&AnswerOptions::default()),
-            all_fields(&MassOptions::default()),
-            all_fields(&OutputOptions::default()),
-            all_fields(&RunOptions::default()),
-            all_fields(&SetFiles::default()),
-        ];
+impl NoteDetails {
+    /// What the note records of a request for `verb` with these [`settings`](Request::settings).
+    pub fn of(verb: Verb, settings: &Map<String, Value>) -> Self {
+        let others = [all_fields(&MassOptions::default()), all_fields(&SetFiles::default())];
         let is_elsewhere = |name: &str, value: &Value| match name {
             // A factor is in the operation.
             "radius" => value.as_str().is_some_and(|text| text.starts_with('x')),
-            "level" => self.verb() == Verb::Set,
+            "level" => verb == Verb::Set,
             name => {
                 FIELDS_NOTED_ELSEWHERE.contains(&name)
                     || others.iter().any(|fields| fields.contains_key(name))
             }
         };
-        let said = self.to_map();
-        let stance_limbs = said.get("stance_limbs").and_then(Value::as_f64);
-        let noted = said.into_iter().filter(|(name, value)| !is_elsewhere(name, value));
-        let options = noted.map(|(name, value)| format!("{name}={}", as_one_word(&value)));
-        NoteDetails { options: options.collect::<Vec<_>>().join(" "), stance_limbs }
+        let stance_limbs = settings.get("stance_limbs").and_then(Value::as_f64);
+        let noted = settings.iter().filter(|(name, value)| !is_elsewhere(name, value));
+        let options = noted.map(|(name, value)| format!("{name}={}", as_one_word(value)));
+        Self { options: options.collect::<Vec<_>>().join(" "), stance_limbs }
     }
 }
 
@@ -167,7 +162,8 @@ mod tests {
 
     #[track_caller]
     fn assert_noted(json: &str, noted: &str) {
-        assert_eq!(Request::from_json(json.as_bytes()).unwrap().noted().options, noted);
+        let request = Request::from_json(json.as_bytes()).unwrap();
+        assert_eq!(NoteDetails::of(request.verb(), &request.settings()).options, noted);
     }
 
     #[test]
