@@ -276,10 +276,9 @@ impl TextForm {
         let (Numbers(count) | OldNumbers(Some(count))) = self else { return false };
         let is_decimal = |word: &str| {
             let letters = word.strip_prefix('-').unwrap_or(word).as_bytes();
-            let digits = letters.iter().filter(|letter| letter.is_ascii_digit()).count();
-            let others = letters.len() - digits;
-            let is_plain = others == 0 || (others == 1 && letters.contains(&b'.'));
-            is_plain && digits > 0 && letters.len() <= MOST_LETTERS_OF_FINITE
+            let points = letters.iter().filter(|letter| **letter == b'.').count();
+            let are_plain = || letters.iter().all(|&letter| letter == b'.' || letter.is_ascii_digit());
+            points <= 1 && (points + 1..=MOST_LETTERS_OF_FINITE).contains(&letters.len()) && are_plain()
         };
         let mut words = 0;
         let mut are_decimal = || opensim_text::list_words(text).inspect(|_| words += 1).all(is_decimal);
