@@ -83,15 +83,18 @@ impl PreparedChange {
         let weighs = weighs.or_else(|| Some(masses.contacts_mass(&opened.model).ok()?.0));
         let weighs_kg = weighs.map(|mass| mass.kg);
         let options_before = self.options_before(plan);
-        let inspected_before = options_before.inspect_for_rules(opened.name(), &opened.model);
-        // With what only follows from other findings: where these are gone, the rest is not new.
-        let before = all_findings(&options_before, &opened.model, &inspected_before);
         let options_after = self.options_after(plan, weighs_kg);
         let inspected = changed.map(|changed| options_after.inspect_for_rules(opened.name(), changed));
-        let after = changed.zip(inspected.as_ref()).map_or_else(
-            || before.clone(),
-            |(changed, inspected)| all_findings(&options_after, changed, inspected),
-        );
+        let after = changed
+            .zip(inspected.as_ref())
+            .map(|(changed, inspected)| all_findings(&options_after, changed, inspected));
+        let inspected_before = match &after {
+            Some(after) => options_before.inspect_to_compare(opened.name(), &opened.model, after),
+            None => options_before.inspect_for_rules(opened.name(), &opened.model),
+        };
+        // With what only follows from other findings: where these are gone, the rest is not new.
+        let before = all_findings(&options_before, &opened.model, &inspected_before);
+        let after = after.unwrap_or_else(|| before.clone());
         let (after, _) = without_effects(changed.unwrap_or(&opened.model), after);
         let reference = self.reference.as_ref().map_or(&[][..], |reference| &reference.findings);
         let mut judged = findings_of_result(&before, &sort_findings(after), reference);

@@ -19,7 +19,7 @@ use crate::published_layouts::volume_of_published_bones;
 use crate::rules::places::SpherePlaces;
 use crate::rules::sides::{self, KnownSide};
 use crate::rules::{
-    FigureCheck, apply_figure_rules, apply_floor_rules, contacts, depth, find_remedy, floors, model_findings,
+    FigureCheck, apply_figure_rules, apply_floor_rules, contacts, depth, find_remedy, floors,
 };
 use crate::{
     BothSides, FindingWithRemedy, InspectOptions, Inspection, KnownContacts, MassMismatch, unexplained_mass,
@@ -71,7 +71,7 @@ fn collect_findings(
     let one_modulus = model.remarks_on(chosen).iter().any(shares_a_modulus);
     let mut remedies = Remedies::new(inspected, one_modulus, changeable, options);
     // A command that makes contacts right for what is wrong elsewhere would hide the fault.
-    let has_finding = |code| model_findings(model).iter().any(|finding| finding.code() == code);
+    let has_finding = |code| inspected.findings.iter().any(|finding| finding.code() == code);
     let has_loose_body = has_finding(BodyWithoutJoint);
     let causes = [MasslessBody, HeavyFoot, OutOfDomain, MisplacedObject, FootSphereOnGround];
     let floors_of_model = Floors::of(model);

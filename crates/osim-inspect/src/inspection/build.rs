@@ -10,42 +10,56 @@ use osim_model::compare::Factors;
 use osim_model::feet::Standing;
 use osim_model::files::FileName;
 use osim_model::{
-    CountedSpheres, Force, ForceId, Limb, Limbs, Mass, Model, Property, Selected, SetId, SphereId, Value,
-    loaded_round_spheres,
+    CountedSpheres, Finding, Force, ForceId, Limb, Limbs, Mass, Model, Property, Selected, SetId, SphereId,
+    Value, loaded_round_spheres,
 };
 
 use crate::inspection::inspected::names_of_spheres;
 use crate::inspection::standing::{InspectedFor, StandingBody};
 use crate::real_feet::spheres_under_heels;
-use crate::rules::{contacts, model_findings};
+use crate::rules::{contacts, findings_as_in, model_findings};
 use crate::{
-    ContactsMass, ContactsOrigin, Dimensionless, Figures, InspectOptions, InspectedBody, InspectedFactors,
-    InspectedForce, InspectedLimb, InspectedSphere, Inspection, KnownContacts, LoadSharing, NoteSummary,
-    SCHEMA_VERSION,
+    ContactsMass, ContactsOrigin, Dimensionless, Figures, FindingWithRemedy, InspectOptions, InspectedBody,
+    InspectedFactors, InspectedForce, InspectedLimb, InspectedSphere, Inspection, KnownContacts, LoadSharing,
+    NoteSummary, SCHEMA_VERSION,
 };
 
 impl InspectOptions {
     /// Inspects a model. This never fails: a value that is not known is `None`. `name` is the name of the file.
     pub fn inspect(&self, name: impl Into<FileName>, model: &Model, factors: Option<&Factors>) -> Inspection {
         let (note, heel_spheres) = (NoteSummary::of(model), spheres_under_heels(model));
-        Inspection { note, heel_spheres, ..self.inspect_with(name, model, factors, InspectedFor::Readers) }
+        let findings = model_findings(model).to_vec();
+        let inspected = self.inspect_with(name, model, factors, findings, InspectedFor::Readers);
+        Inspection { note, heel_spheres, ..inspected }
     }
 
     /// Inspects a model for the rules only: without what no rule needs, such as the summary of the note, the bodies, the sources of
     /// parameters, and the equilibrium of bodies that stand as they should.
     pub fn inspect_for_rules(&self, name: impl Into<FileName>, model: &Model) -> Inspection {
-        self.inspect_with(name, model, None, InspectedFor::Rules)
+        self.inspect_with(name, model, None, model_findings(model).to_vec(), InspectedFor::Rules)
     }
 
-    /// Inspects a model for readers, or for the rules alone.
+    /// Inspects a model as [`inspect_for_rules`](Self::inspect_for_rules) does, to see which of the findings `other` of another model it has,
+    /// too: rules about numbers of contacts that found nothing there are not applied.
+    pub fn inspect_to_compare(
+        &self,
+        name: impl Into<FileName>,
+        model: &Model,
+        other: &[FindingWithRemedy],
+    ) -> Inspection {
+        let findings = findings_as_in(model, other);
+        self.inspect_with(name, model, None, findings, InspectedFor::Rules)
+    }
+
+    /// Inspects a model for readers, or for the rules alone. `findings` are those about the model itself.
     fn inspect_with(
         &self,
         name: impl Into<FileName>,
         model: &Model,
         factors: Option<&Factors>,
+        mut findings: Vec<Finding>,
         inspected_for: InspectedFor,
     ) -> Inspection {
-        let mut findings = model_findings(model).to_vec();
         let mass = self.masses.model_mass(model);
         let (selected, no_choice) = match self.selection.apply(model) {
             Ok(selected) => (selected, None),

@@ -43,10 +43,12 @@ type ModelRule = (DependsOn, fn(&Model) -> Vec<Finding>);
 enum DependsOn {
     /// Numbers of contacts or the note, which a change can make different.
     Numbers,
+    /// The same, for the rules about sides and places: they also apply [`SIDE_RULES`], and find spheres in wrong places.
+    Sides,
     /// Only what models share that differ in such numbers: bodies, joints, constraints, names, other texts.
     Rest,
 }
-use DependsOn::{Numbers, Rest};
+use DependsOn::{Numbers, Rest, Sides};
 
 /// Makes a table of rules: each line has a module, rules of it, and the function that applies them together.
 macro_rules! rule_table {
@@ -79,8 +81,7 @@ static MODEL_RULES: RuleTable<ModelRule> = rule_table! {
     forces [ELLIPSOID] => (Numbers, forces::find_ellipsoid);
     unlikely_numbers [DEFAULT_STIFFNESS] => (Numbers, unlikely_numbers::find_default_stiffness);
     unlikely_numbers [ZERO_CONSTANT_CONTACT_FORCE] => (Numbers, unlikely_numbers::find_zero_constant_contact_force);
-    // This line also applies `SIDE_RULES`.
-    sides [LEFT_RIGHT_DIFFER, LEFT_RIGHT_CLOSE] => (Numbers, apply_side_rules);
+    sides [LEFT_RIGHT_DIFFER, LEFT_RIGHT_CLOSE] => (Sides, apply_side_rules);
     friction [LARGE_FRICTION, DYNAMIC_ABOVE_STATIC, ODD_TRANSITION_VELOCITY]
         => (Numbers, friction::find_odd_friction);
     friction [NO_FRICTION, NO_DISSIPATION] => (Numbers, friction::find_no_friction_or_dissipation);
@@ -167,19 +168,31 @@ fn rules_in<F>(table: RuleTable<F>) -> impl Iterator<Item = &'static Rule> {
 /// # Ok::<(), osim_model::Fault>(())
 /// ```
 pub fn model_findings(model: &Model) -> &[Finding] {
+    model.findings(|model| apply_model_rules(model, |_| true))
+}
+
+/// The findings of [`model_findings`], without those of rules about numbers of contacts that have none among the findings `other`.
+pub(crate) fn findings_as_in(model: &Model, other: &[FindingWithRemedy]) -> Vec<Finding> {
+    apply_model_rules(model, |code| other.iter().any(|one| one.code() == code))
+}
+
+/// Applies the rules about a model itself; those about numbers of contacts only if a finding with one of their codes `is_wanted`.
+fn apply_model_rules(model: &Model, is_wanted: impl Fn(FindingCode) -> bool) -> Vec<Finding> {
     /// Findings of the rules that do not depend on numbers of contacts, computed once for models that differ only in such numbers.
     struct RestFindings(Vec<Vec<Finding>>);
-    model.findings(|model| {
-        let of_rest = MODEL_RULES.iter().filter(|(_, (depends_on, _))| *depends_on == Rest);
-        let RestFindings(found) = model
-            .derived_from_bodies(|model| RestFindings(of_rest.map(|(_, (_, find))| find(model)).collect()));
-        let mut found = found.iter().cloned();
-        let findings = MODEL_RULES.iter().flat_map(|(_, (depends_on, find))| match depends_on {
-            Numbers => find(model),
-            Rest => found.next().unwrap_or_default(),
-        });
-        Finding::group_by_cause(findings.collect())
-    })
+    let of_rest = MODEL_RULES.iter().filter(|(_, (depends_on, _))| *depends_on == Rest);
+    let RestFindings(found) =
+        model.derived_from_bodies(|model| RestFindings(of_rest.map(|(_, (_, find))| find(model)).collect()));
+    let mut found = found.iter().cloned();
+    let is_wanted = |rule: &Rule| is_wanted(rule.code);
+    let are_sides_wanted = || rules_in(SIDE_RULES).chain([&places::SPHERES_MISPLACED]).any(is_wanted);
+    let findings = MODEL_RULES.iter().flat_map(|(rules, (depends_on, find))| match depends_on {
+        Rest => found.next().unwrap_or_default(),
+        _ if rules.iter().any(|rule| is_wanted(rule)) => find(model),
+        Sides if are_sides_wanted() => find(model),
+        Numbers | Sides => Vec::new(),
+    });
+    Finding::group_by_cause(findings.collect())
 }
 
 /// Applies the rules that compare left and right.

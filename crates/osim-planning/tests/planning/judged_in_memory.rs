@@ -4,7 +4,9 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 use osim_inspect::series::ContactBody;
-use osim_inspect::{ChangeableValues, InspectOptions, check_model, model_findings};
+use osim_inspect::{
+    ChangeableValues, FindingWithRemedy, InspectOptions, all_findings, check_model, model_findings,
+};
 use osim_model::files::{Files, OpenModel};
 use osim_model::messages::Verb;
 use osim_model::{
@@ -106,12 +108,27 @@ fn rules_find_the_same_without_what_only_people_read() {
                 "{}",
                 document.name
             );
+            if kg.is_none() {
+                assert_each_is_found_alone(&options, &model, &document.name);
+            }
             compared += 1;
             found += all.len();
             is_weak |= all.iter().any(|one| one.code() == FindingCode::WeakAtRest);
         }
     }
     assert!(compared > 400 && found > 1000 && is_weak, "{compared}, {found}, {is_weak}");
+}
+
+/// Each finding about a model is found where rules are applied for this finding alone.
+fn assert_each_is_found_alone(options: &InspectOptions, model: &Model, name: &str) {
+    let all = all_findings(options, model, &options.inspect_for_rules(name, model));
+    for one in &all {
+        let alone = options.inspect_to_compare(name, model, std::slice::from_ref(one));
+        let alike = |findings: &[FindingWithRemedy]| -> Vec<_> {
+            findings.iter().filter(|other| other.code() == one.code()).cloned().collect()
+        };
+        assert_eq!(alike(&all_findings(options, model, &alone)), alike(&all), "{name}");
+    }
 }
 
 /// Tries every third request on the model `name`. Returns the bytes that one of the requests would write.
