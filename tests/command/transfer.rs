@@ -135,6 +135,25 @@ fn spheres_that_stay_where_the_reference_has_them_are_remarked_on() {
     dir.run("transfer moved.osim --from generic.osim --dry-run").succeeded().says_not(&remark);
 }
 
+/// The heels of a model that was right are moved 120 mm down: no number of a contact changes, but two places do.
+#[test]
+fn a_transfer_that_only_moves_spheres_changes_something() {
+    let dir = TestDir::with(&[
+        ("scale_tool/generic_smooth.osim", "generic.osim"),
+        ("scale_tool/scaled_smooth.osim", "scaled.osim"),
+    ]);
+    let follow = "--from generic.osim --follow-bodies --level --moved-spheres replace";
+    dir.run(&format!("transfer scaled.osim {follow} -o right.osim")).succeeded();
+    let right = dir.text("right.osim");
+    let heel = "<location>-0.0102 -0.0346";
+    assert_eq!(right.matches(heel).count(), 2);
+    dir.write("low.osim", right.replace(heel, "<location>-0.0102 -0.1546"));
+    let run = dir.run(&format!("transfer low.osim {follow} --dry-run")).succeeded();
+    run.says(&["heel_l", "spheres follow their bodies"]).says_not(&["nothing-to-change", "stiffness"]);
+    let again = dir.run(&format!("transfer right.osim {follow} --dry-run")).succeeded();
+    again.says(&["nothing-to-change"]);
+}
+
 #[test]
 fn the_named_reference_sphere_gives_the_radius() {
     let dir = TestDir::with(&[

@@ -166,7 +166,7 @@ fn plan_with_note_and_remarks(
     gravity: GravityChange,
 ) -> Plan {
     let PlanBuilder { model, changes, moves, mut findings, mut remarks, .. } = plan;
-    if changes.is_empty() {
+    if changes.is_empty() && moves.is_empty() {
         findings.push(rules::nothing_to_change("every value is already as the reference wants it"));
     } else if wanted.follow.is_some() {
         remarks.push("body masses stay as they are; spheres follow their bodies".into());
