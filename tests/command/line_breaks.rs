@@ -52,6 +52,25 @@ fn sentences_wrap_at_the_terminal_width() {
 }
 
 #[test]
+fn a_faulty_line_of_a_file_is_cut_around_the_fault() {
+    let dir = TestDir::with(&[("bad/tags_crossed.osim", "crossed.osim")]);
+    let line = "<stiffness>1234567.8</dissipation>";
+    let comment = " force".repeat(10);
+    let long = dir.text("crossed.osim").replace(line, &format!("<!--{comment} -->{line}"));
+    dir.write("long.osim", long);
+    for columns in [60, 80] {
+        let (_, message) = output_in_terminal(&dir, columns, "long.osim --target-mass 80");
+        assert!(longest_line(&message) <= usize::from(columns), "{message}");
+        let lines: Vec<&str> = message.lines().collect();
+        let [.., source, mark] = lines.as_slice() else { panic!("{message}") };
+        let at = mark.find('^').unwrap();
+        assert!(source[at..].starts_with("</dissipation>"), "{message}");
+    }
+    let (_, message) = output_in_pipes(&dir, "long.osim --target-mass 80");
+    assert!(message.contains(&format!("<!--{comment} -->{line}")), "{message}");
+}
+
+#[test]
 fn a_proposed_command_stays_on_one_line() {
     let dir = TestDir::with(&[("check/sunk_in.osim", "soft.osim")]);
     let (out, _) = output_in_terminal(&dir, 40, "check soft.osim");

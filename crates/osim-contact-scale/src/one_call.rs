@@ -55,7 +55,9 @@ impl Session {
         if let Some(excerpt) = &failure.excerpt {
             let source = Snippet::source(excerpt.text.as_str()).line_start(excerpt.line);
             let marked = source.annotation(AnnotationKind::Primary.span(excerpt.marked.clone()));
-            let snippet = Renderer::plain().render(&[Group::with_level(Level::ERROR).element(marked)]);
+            let fitted = |columns| Renderer::plain().term_width(columns);
+            let renderer = self.terminal.columns_of_errors().map_or_else(Renderer::plain, fitted);
+            let snippet = renderer.render(&[Group::with_level(Level::ERROR).element(marked)]);
             let _ = self.terminal.print_to_stderr_unbroken(&format!("{snippet}\n"));
         }
         Ok(Exit::Failed)

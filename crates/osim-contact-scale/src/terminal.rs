@@ -109,6 +109,11 @@ impl Terminal {
         self.out
     }
 
+    /// Columns of standard error; `None` if lines are not broken.
+    pub(crate) fn columns_of_errors(&self) -> Option<usize> {
+        self.err
+    }
+
     /// Prints text that is not a result on standard error.
     pub(crate) fn print_to_stderr(&mut self, text: &str) -> io::Result<()> {
         if self.is_quiet { Ok(()) } else { self.print_to_stderr_unbroken(&fitted(text, self.err)) }
