@@ -123,6 +123,19 @@ fn published_models_have_the_documented_findings() {
     assert!(landing.contains("mixed-radii") && !landing.contains("beyond-hertz"));
 }
 
+/// D'Hondt's forefoot is in 0.2392 R deep under two body weights, in the publication, too, but not under 20 % more.
+#[test]
+fn a_published_depth_at_two_body_weights_is_as_published() {
+    let Some(folder) = corpus_folder("a_published_depth_at_two_body_weights_is_as_published") else { return };
+    let dir = TestDir::new();
+    dir.write("model.osim", std::fs::read(folder.join("v40000_dhondt_2024_3seg_human.osim")).unwrap());
+    let run = dir.run("check model.osim").succeeded();
+    run.says(&["floor, sides, sizes; mass, solver as published"]).says_not(&["beyond-hertz-at-two"]);
+    let full = dir.run("check model.osim --full").succeeded();
+    full.says(&["good     mass     as published: ", "remark beyond-hertz-at-two"]);
+    dir.run("check model.osim --mass 74.4").says(&["beyond-hertz-at-two", "solver as published"]);
+}
+
 #[test]
 fn a_finding_without_a_command_leads_to_its_explanation() {
     let dir = TestDir::new();

@@ -131,7 +131,8 @@ impl KnownContacts {
         let entry = entries().iter().find(|entry| entry.name == self.name)?;
         let body_kg = self.made_for_kg * (entry.body_kg() / entry.made_for_kg);
         let is_at_most = |kg: f64| kg <= body_kg || are_equal_masses(kg, body_kg);
-        entry.severity(code).filter(|_| code != FindingCode::SunkIn || mass_kg.is_none_or(is_at_most))
+        let follows_mass = matches!(code, FindingCode::SunkIn | FindingCode::BeyondHertzAtTwo);
+        entry.severity(code).filter(|_| !follows_mass || mass_kg.is_none_or(is_at_most))
     }
 }
 
