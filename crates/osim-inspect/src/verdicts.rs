@@ -6,9 +6,7 @@ use std::collections::BTreeMap;
 
 use contact_scaling::limits;
 use osim_model::feet::{ContactPlane, DefaultPose};
-use osim_model::messages::{
-    Phrase, counted, four_significant, named, phrase, readable, shown, three_significant,
-};
+use osim_model::messages::{Phrase, counted, four_significant, named, phrase, shown, three_significant};
 use osim_model::{FindingCode, MassSource, Model, Severity, Side, VerdictTopic};
 use serde::{Serialize, Serializer};
 
@@ -253,7 +251,7 @@ fn describe_standing(inspected: &InspectedModel<'_>) -> Result<Phrase, Phrase> {
 /// Describes the mass that the contacts are made for, and how deep the deepest sphere is under the body.
 fn describe_mass(inspected: &InspectedModel<'_>) -> Result<Phrase, Phrase> {
     let deepest = inspected.largest(Figure::Indentation).ok_or_else(|| inspected.why_no_figures())?;
-    let weighs = inspected.inspection.figures.mass_kg.map(readable).unwrap_or_default();
+    let weighs = inspected.inspection.figures.mass_kg.map(four_significant).unwrap_or_default();
     let made_for = made_for(inspected).unwrap_or_else(|| "no note says for which mass they were made".into());
     let x_hat = four_significant(deepest);
     let on = &inspected.inspection.carriers;
@@ -265,7 +263,8 @@ fn made_for(inspected: &InspectedModel<'_>) -> Option<Phrase> {
     let mass = inspected.inspection.contacts_mass_kg.as_ref().filter(|mass| mass.from.is_about_contacts())?;
     let note = inspected.model.note.as_ref().filter(|_| mass.source == MassSource::Note.as_str());
     let by = note.and_then(|note| note.steps.last()).map(|step| format!(", by {}", step_in_words(step)));
-    Some(phrase!["made for {} kg ({}{})"; readable(mass.value), &mass.description, by.unwrap_or_default()])
+    let kg = four_significant(mass.value);
+    Some(phrase!["made for {kg} kg ({}{})"; &mass.description, by.unwrap_or_default()])
 }
 
 /// Describes how many spheres each limb has, and whether left and right agree.

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 
 use contact_scaling::DimensionlessContact;
 use osim_model::compare::{BodyFactors, SpherePlacements};
-use osim_model::messages::{Dialect, Phrase, readable};
+use osim_model::messages::{Dialect, Phrase};
 use osim_model::{
     Body, DVec3, Finding, Limb, Mass, MassSource, Model, Property, Sphere, SphereId, TextPosition,
     ValueOrigin,
@@ -109,9 +109,8 @@ json_records! {
 }
 
 impl ContactsMass {
-    /// The mass in words: `62 kg (note in the file)`, or `not recorded (the body weighs 20 kg)`.
-    pub fn in_words(&self) -> String {
-        let kg = readable(self.value);
+    /// The mass, written as `kg`, in words: `62 kg (note in the file)`, or `not recorded (the body weighs 20 kg)`.
+    pub fn in_words(&self, kg: &str) -> String {
         if self.from.is_about_contacts() {
             format!("{kg} kg ({})", self.description)
         } else {

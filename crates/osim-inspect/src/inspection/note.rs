@@ -1,6 +1,6 @@
 //! The note of a model, for the person who received the file: how the contacts were made, and what changed after that.
 
-use osim_model::messages::{readable, shown};
+use osim_model::messages::{four_significant, four_significant_apart, readable, shown};
 use osim_model::{ChangedSinceNote, Model, Note, Scope, Step};
 use serde::Serialize;
 
@@ -73,7 +73,7 @@ fn note_in_words(note: &Note) -> String {
     };
     let mass = note
         .contacts_mass_kg
-        .map_or("for what the bodies weighed".to_owned(), |kg| format!("for {} kg", readable(kg)));
+        .map_or("for what the bodies weighed".to_owned(), |kg| format!("for {} kg", four_significant(kg)));
     let limbs = note.stance_limbs.map(|limbs| {
         let s = if limbs == 1.0 { "" } else { "s" };
         format!(", with {} stance limb{s}", readable(limbs))
@@ -84,7 +84,7 @@ fn note_in_words(note: &Note) -> String {
 
 /// A step of a note in words, for example `transfer from falisse2022, made for 62 kg, on 2025-11-26`.
 pub(crate) fn step_in_words(step: &Step) -> String {
-    let from = step.from_mass_kg.map(|kg| format!("{} kg", readable(kg)));
+    let from = step.from_mass_kg.map(|kg| format!("{} kg", four_significant(kg)));
     let mut text = match (step.operation.as_str(), &step.reference) {
         ("others", _) => "values changed by somebody who left no note".to_owned(),
         (_, Some(source)) => {
@@ -108,7 +108,8 @@ pub(crate) fn step_in_words(step: &Step) -> String {
 fn changes_in_words(changed: &ChangedSinceNote) -> Vec<String> {
     let sizes = changed.sizes.then(|| "sizes of bodies".to_owned());
     let weight = changed.weight_kg.map(|(then, now)| {
-        format!("the bodies weighed {} kg then and weigh {} kg now", readable(then), readable(now))
+        let [then, now] = four_significant_apart([then, now]);
+        format!("the bodies weighed {then} kg then and weigh {now} kg now")
     });
     let contacts = &changed.contacts;
     let count = |what: &str, count: Option<(usize, usize)>| {

@@ -1,6 +1,6 @@
 //! Rules about which contacts a model has, for which mass they were made, and who published them.
 
-use osim_model::messages::{Input, Phrase, counted, four_significant, phrase, readable, three_significant};
+use osim_model::messages::{Input, Phrase, counted, four_significant, phrase, three_significant};
 use osim_model::opensim_text::trimmed;
 use osim_model::{
     Example, Fault, FaultKind, Finding, MassRequest, MassSource, Model, Pattern, Repair, Selection, Severity,
@@ -137,7 +137,7 @@ pub(crate) fn known_contacts(known: KnownContacts) -> Finding {
     let text = format!(
         "the contact parameters are those of {} for a body of {} kg",
         known.title,
-        readable(known.made_for_kg)
+        four_significant(known.made_for_kg)
     );
     Finding::new(&KNOWN_CONTACTS, text)
 }
@@ -172,7 +172,7 @@ pub(crate) fn find_contacts_of_another_mass(
     }
     let text = format!(
         "the contacts are for {} kg ({}), the body weighs {} kg",
-        readable(made_for),
+        four_significant(made_for),
         known.title.replace(['(', ')'], ""),
         four_significant(mass)
     );
@@ -183,7 +183,7 @@ pub(crate) fn find_contacts_of_another_mass(
     let fits_bones = (mass / of_bones_kg).ln().abs() <= LARGEST_DENSITY_RATIO.ln();
     let remedy =
         (places_are_right && fits_bones).then(|| scale_to_body(remedies, [made_for, mass], level)).flatten();
-    let measure = format!("{} for {} kg", readable(made_for), four_significant(mass));
+    let measure = format!("{} for {} kg", four_significant(made_for), four_significant(mass));
     let mut finding =
         Finding::new(&CONTACTS_OF_ANOTHER_MASS, text).with_measure((mass / made_for).ln().abs(), measure);
     if !fits_bones {

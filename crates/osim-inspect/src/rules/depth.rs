@@ -87,7 +87,7 @@ fn advice_if_made_for_this_body(check: &FigureCheck<'_>) -> Option<Phrase> {
     let weighs_kg = check.inspected.figures.mass_kg.filter(|&kg| are_equal_masses(kg, made_for.value))?;
     Some(phrase![
         "They were made for {} kg ({}), which the body weighs: make them stiffer, for a relative indentation of {}";
-        readable(weighs_kg), &made_for.description, INDENTATION.value.to_string()
+        four_significant(weighs_kg), &made_for.description, INDENTATION.value.to_string()
     ])
 }
 

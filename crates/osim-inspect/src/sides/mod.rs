@@ -8,7 +8,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use contact_scaling::{RatioValues, Ratios};
 use foldhash::{HashMap, HashMapExt};
-use osim_model::messages::{readable, shown};
+use osim_model::messages::{four_significant_apart, shown};
 use osim_model::{DVec3, Force, ForceId, Model, ParameterSet, Property, SetId, Side, Sphere, Value};
 
 use crate::sides::mirror::{BodyPairs, bone_ratios, is_close};
@@ -240,10 +240,11 @@ impl NumberCounts {
 
     /// The difference of `left` and `right`, in the words `what`, with the side that is unlike most other contacts.
     fn difference(&self, (left, right): (&Value, &Value), what: &str, is_small: bool) -> SideDifference {
-        let with_right = self.majority_with(right).map(|count| (Side::Left, count, right.number));
-        let with_left = || self.majority_with(left).map(|count| (Side::Right, count, left.number));
+        let [left_text, right_text] = four_significant_apart([left.number, right.number]);
+        let with_right = self.majority_with(right).map(|count| (Side::Left, count, right_text));
+        let with_left = || self.majority_with(left).map(|count| (Side::Right, count, left_text));
         let odd = with_right.or_else(with_left);
-        let others = match odd {
+        let others = match &odd {
             Some((_, 1, number)) => format!(" (1 other has {number})"),
             Some((_, count, number)) => format!(" ({count} others have {number})"),
             None => String::new(),
@@ -280,7 +281,8 @@ impl SetPair<'_> {
             !(l.number.is_nan() || is_close(l.number, r.number) || ratios.as_ref().is_some_and(follows))
         });
         let difference = |(l, r): (&Value, &Value)| {
-            let what = format!("{} is {} and {}", l.property, l.number, r.number);
+            let [of_left, of_right] = four_significant_apart([l.number, r.number]);
+            let what = format!("{} is {of_left} and {of_right}", l.property);
             let times = (l.number / r.number).max(r.number / l.number);
             let is_velocity = l.property == Property::TransitionVelocity;
             let most = if is_velocity { SMALL_VELOCITY_RATIO } else { SMALL_RATIO };
@@ -333,9 +335,9 @@ fn radius_difference(pair: &SpherePair<'_>, sides: &BothSides<'_>) -> Option<Sid
     }
     let is_small = from_bones.unwrap_or(f64::INFINITY).min(distance_from_nearest(ratio, &[1.0]))
         <= SMALL_RADIUS_DIFFERENCE;
-    let describe =
-        |sphere: &Sphere| format!("{} m for {}", readable(sphere.radius.number), shown(&sphere.name));
-    let what = format!("radius is {} and {}", describe(left), describe(right));
+    let [left_m, right_m] = four_significant_apart([left.radius.number, right.radius.number]);
+    let (left_name, right_name) = (shown(&left.name), shown(&right.name));
+    let what = format!("radius is {left_m} m for {left_name} and {right_m} m for {right_name}");
     Some(sides.usual().difference((&left.radius, &right.radius), &what, is_small))
 }
 

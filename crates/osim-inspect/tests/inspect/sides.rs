@@ -181,6 +181,13 @@ fn numbers_that_differ_as_little_as_published_or_rounded_ones_are_a_remark() {
 }
 
 #[test]
+fn numbers_of_sides_have_four_digits() {
+    let text = with_edited_element(HUMAN, (SPHERE_CLASS, "ball_l"), RADIUS_TEXT, "0.054124409");
+    let found = message_of_finding(&text, FindingCode::LeftRightDiffer);
+    assert!(found.contains("radius is 0.05412 m for ball_l and 0.032 m for ball_r"), "{found}");
+}
+
+#[test]
 fn places_that_are_not_mirror_images_are_named() {
     let wrong_sign = with_edited_element(HUMAN, (SPHERE_CLASS, "ball_l"), " -0.02<", " 0.02<");
     assert_found(&wrong_sign, &[FindingCode::LeftRightPlaces]);

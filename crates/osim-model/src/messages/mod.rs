@@ -21,6 +21,6 @@ mod printable;
 
 pub use crate::{named, phrase};
 pub use input::{Call, Example, Input, PhrasePart, Verb};
-pub use numbers::{counted, four_significant, readable, shortest, three_significant};
+pub use numbers::{counted, four_significant, four_significant_apart, readable, shortest, three_significant};
 pub use phrase::{Dialect, FieldNames, IntoParts, PartInText, PartsInText, Phrase};
 pub use printable::{Shown, is_visible, listed, one_line, shown, shown_path, shown_whole, terminal_safe};

@@ -47,6 +47,12 @@ pub fn four_significant(value: f64) -> String {
     in_significant_digits(value, 4)
 }
 
+/// Two numbers with four significant digits; with more if they would look equal.
+pub fn four_significant_apart(pair: [f64; 2]) -> [String; 2] {
+    let [one, other] = pair.map(four_significant);
+    if one == other { pair.map(readable) } else { [one, other] }
+}
+
 /// A number with three significant digits, for narrow columns.
 pub fn three_significant(value: f64) -> String {
     in_significant_digits(value, 3)
@@ -103,6 +109,8 @@ mod tests {
     fn numbers_with_four_digits_keep_them() {
         assert_eq!(four_significant(0.353_300_157), "0.3533");
         assert_eq!(four_significant(13_449.52), "13450");
+        assert_eq!(four_significant_apart([0.054_124_409, 0.0541]), ["0.05412", "0.0541"]);
+        assert_eq!(four_significant_apart([75.1646, 75.1649]), ["75.1646", "75.1649"]);
     }
 
     proptest! {

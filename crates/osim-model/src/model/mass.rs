@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::messages::{Input, Phrase, phrase, readable};
+use crate::messages::{Input, Phrase, four_significant, phrase};
 use crate::model::fault::{
     Fault, FaultKind, MassMistake, MassesOfOtherRows, MissingFact, POUND_KG, Result, Suspicion,
 };
@@ -118,7 +118,7 @@ impl Mass {
     pub fn contacts_made_for(&self) -> Phrase {
         let taken =
             if self.source.is_about_contacts() { "contacts made for" } else { "contacts taken as made for" };
-        phrase![format!("{taken} {} kg (", readable(self.kg)), &self.source.describe(), ")"]
+        phrase![format!("{taken} {} kg (", four_significant(self.kg)), &self.source.describe(), ")"]
     }
 }
 

@@ -5,7 +5,7 @@ mod reference;
 
 use contact_scaling::{Contact, DimensionlessContact, Ratios, Scale, ScaleValues, restitution};
 use osim_model::compare::Follow;
-use osim_model::messages::{Phrase, phrase, readable};
+use osim_model::messages::{Phrase, four_significant, phrase};
 use osim_model::{
     Fault, FaultKind, Finding, Force, ForceKind, GravityFor, Mass, Model, Property, RadiusRule, Result,
     Selected, SphereId,
@@ -187,8 +187,8 @@ fn plan_with_note_and_remarks(
     };
     let mut taken = phrase![
         "contacts of {} ({} kg, {}; {}) for {} kg ({}; {})";
-        reference.name.to_string(), readable(reference.mass.kg), &reference.mass.source.describe(),
-        count(reference.sphere_count).to_string(), readable(wanted.target_mass.kg),
+        reference.name.to_string(), four_significant(reference.mass.kg), &reference.mass.source.describe(),
+        count(reference.sphere_count).to_string(), four_significant(wanted.target_mass.kg),
         &wanted.target_mass.source.describe(), count(wanted.sphere_count).to_string()
     ];
     if wanted.rule == ScalingRule::Paper {

@@ -4,7 +4,7 @@ use maud::{Markup, html};
 use osim_inspect::series::ContactBody;
 use osim_inspect::{CheckResult, InspectOptions, Inspection};
 use osim_model::files::OpenModel;
-use osim_model::messages::{Dialect, four_significant, readable};
+use osim_model::messages::{Dialect, four_significant};
 use osim_planning::ModelFeet;
 
 use crate::html::explained::file_name;
@@ -161,11 +161,11 @@ fn facts_of_model(inspected: &Inspection, files: &[NamedDigest]) -> Markup {
             (list_of_read_files(files))
             dt { "Name" } dd { (inspected.name) ", document version " (inspected.document_version) }
             dt { "Weighs" } dd { @match inspected.mass_kg {
-                Some(mass) => { (readable(mass)) " kg (" (inspected.mass_source) ")" }
+                Some(mass) => { (four_significant(mass)) " kg (" (inspected.mass_source) ")" }
                 None => { "not known" }
             } }
             dt { "Contacts made for" } dd { @match &inspected.contacts_mass_kg {
-                Some(mass) => { (mass.in_words()) }
+                Some(mass) => { (mass.in_words(&four_significant(mass.value))) }
                 None => { "not known" }
             } }
             @if let Some(note) = &inspected.note { dt { "Note" } dd { (note.sentences.join(" ")) } }

@@ -6,7 +6,7 @@ use std::fmt;
 use imara_diff::{Algorithm, Diff, InternedInput, Interner, Token, UnifiedDiffConfig, UnifiedDiffPrinter};
 use indexmap::IndexMap;
 use osim_model::Property;
-use osim_model::messages::{four_significant, listed, one_line, readable};
+use osim_model::messages::{four_significant, four_significant_apart, listed, one_line};
 use osim_patch::{ChangedBy, NumberChange, ObjectAction, ObjectChange, PlaceChange, Plan};
 
 use crate::report::layout::table;
@@ -44,7 +44,8 @@ pub fn text(plan: &Plan, model: &str, output: &str, columns: Option<usize>) -> S
 /// A plan in one line, for a run over many models.
 pub fn line(plan: &Plan, model: &str, output: &str) -> String {
     let masses = plan.masses.as_ref().map(|masses| {
-        format!("{} -> {} kg, ", readable(masses.contacts_mass.kg), readable(masses.target_mass_kg))
+        let [from, to] = four_significant_apart([masses.contacts_mass.kg, masses.target_mass_kg]);
+        format!("{from} -> {to} kg, ")
     });
     let new = plan.findings.iter().filter(|finding| !finding.had_before);
     let mut codes: Vec<&str> = new.map(|finding| finding.code().as_str()).collect();

@@ -51,7 +51,7 @@ pub fn text(inspected: &Inspection, dialect: &dyn Dialect, layout: Layout) -> St
 }
 
 fn head_of_model(inspected: &Inspection, layout: Layout) -> String {
-    let number = |value| layout.extent.number(value, readable);
+    let number = |value| layout.extent.number(value, four_significant);
     let title =
         format!("{}: {} (document version {})", inspected.model, inspected.name, inspected.document_version);
     let mut text = format!("{}\n", one_line(title));
@@ -60,7 +60,7 @@ fn head_of_model(inspected: &Inspection, layout: Layout) -> String {
         None => "the mass of the model is not known".to_owned(),
     };
     let contacts = match &inspected.contacts_mass_kg {
-        Some(mass) => format!("contacts made for: {}", mass.in_words()),
+        Some(mass) => format!("contacts made for: {}", mass.in_words(&number(mass.value))),
         None => "which mass its contacts are made for is not known".to_owned(),
     };
     text.push_str(&layout.wrapped(&format!("{weighs}; {contacts}"), ""));
@@ -75,7 +75,9 @@ fn head_of_model(inspected: &Inspection, layout: Layout) -> String {
         ));
     }
     match inspected.gravity_m_s2 {
-        Some(gravity) => text.push_str(&format!("gravity {} m/s2\n", number(gravity))),
+        Some(gravity) => {
+            text.push_str(&format!("gravity {} m/s2\n", layout.extent.number(gravity, few_digits)));
+        }
         None => text.push_str("gravity cannot be read\n"),
     }
     let why = inspected.limbs_unknown.as_ref().map(Phrase::to_string);

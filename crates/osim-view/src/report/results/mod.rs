@@ -66,7 +66,9 @@ pub fn preset_text(preset: &Preset, columns: Option<usize>) -> String {
     let mut table = table(&["quantity", "value", "unit", "dimensionless"]);
     let mut row = |name: &str, value: f64, unit: &str, pure: Option<f64>| {
         let pure = pure.map(four_significant).unwrap_or_default();
-        table.add_row(vec![name.to_owned(), readable(value), unit.to_owned(), pure]);
+        // Standard gravity is known with all its digits.
+        let value = if unit == "m/s2" { readable(value) } else { four_significant(value) };
+        table.add_row(vec![name.to_owned(), value, unit.to_owned(), pure]);
     };
     row("mass", scale.mass_kg(), "kg", None);
     row("spheres", scale.sphere_count(), "", None);
