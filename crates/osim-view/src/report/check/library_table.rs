@@ -1,0 +1,223 @@
+//! The findings of many models as one table by code, with the commands that correct them.
+
+use std::cmp::Reverse;
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use osim_inspect::{CheckResult, Counts};
+use osim_model::messages::{Input, Verb, counted, listed, one_line, shown_whole};
+use osim_model::{FindingCode, Severity};
+use osim_requests::options::OutputOptions;
+use osim_requests::spell::FrontEnd;
+use osim_requests::{CheckRequest, Request};
+
+use crate::report::check::part_of_all;
+use crate::report::extent::Layout;
+use crate::report::layout::{sign, table, wrapped_with_path};
+use crate::report::messages::{NO_CONTACTS_CELL, failure_in_cell};
+
+/// The results of checking all models of a call, collected for one table.
+#[derive(Default)]
+pub struct LibraryTable {
+    call: CheckRequest,
+    counts: Vec<Counts>,
+    /// The models with each code, by severity and code.
+    codes: BTreeMap<(Reverse<Severity>, FindingCode), FoundInModels>,
+    /// For each model that can be corrected, the steps that correct it.
+    steps: Vec<Vec<Request>>,
+    /// The number of models that have no error or warning after their steps.
+    corrected: usize,
+    without_contacts: Vec<String>,
+    not_read: Vec<String>,
+    /// The number of models that the call corrected and wrote.
+    pub written: usize,
+}
+
+/// The models in which a code was found.
+#[derive(Debug, Default)]
+struct FoundInModels {
+    models: usize,
+    /// The worst of these models: the size of the fault, this size in words if there are words for it, and the name of the model.
+    worst: (f64, String, String),
+}
+
+/// The folder for results in a command that is proposed for many models.
+const RESULTS_FOLDER: &str = "RESULTS";
+
+impl LibraryTable {
+    /// A table for the models of `call`.
+    pub fn new(call: CheckRequest) -> Self {
+        Self { call, ..Self::default() }
+    }
+
+    /// Adds the findings about the next model to the counts of the table.
+    pub fn add(&mut self, found: &CheckResult) {
+        let shown: Vec<_> = found.findings.iter().filter(|finding| !finding.is_as_published()).collect();
+        // Findings are sorted, so that those of one code are together.
+        for alike in shown.chunk_by(|a, b| (a.severity, a.code()) == (b.severity, b.code())) {
+            let Some(first) = alike.first() else { continue };
+            let kind = self.codes.entry((Reverse(first.severity), first.code())).or_default();
+            kind.models += 1;
+            let sizes = alike.iter().filter_map(|finding| finding.measure.as_ref());
+            let largest = sizes.max_by(|a, b| a.size.total_cmp(&b.size));
+            let (size, text) = largest.map_or((0.0, ""), |measure| (measure.size, &measure.text));
+            if kind.models == 1 || size > kind.worst.0 {
+                kind.worst = (size, text.to_owned(), found.model.clone());
+            }
+        }
+        if found.findings.iter().any(|finding| finding.code() == FindingCode::BareModel) {
+            self.add_without_contacts(&found.model);
+        }
+        self.counts.push(found.counts);
+        if !found.steps.is_empty() {
+            self.corrected += usize::from(found.corrected == found.counts.error + found.counts.warning);
+            self.steps.push(found.steps.clone());
+        }
+    }
+
+    /// Adds a model in a folder that has no contacts.
+    pub fn add_without_contacts(&mut self, model: &str) {
+        self.without_contacts.push(model.to_owned());
+    }
+
+    /// Adds a model that could not be checked, because of a failure with this code.
+    pub fn add_failed(&mut self, model: &str, code: &str) {
+        if failure_in_cell(code) == NO_CONTACTS_CELL {
+            self.add_without_contacts(model);
+        } else {
+            self.not_read.push(model.to_owned());
+        }
+    }
+
+    /// The table as text: the number of models with errors or warnings, and the command that corrects them; a row for each code; the files
+    /// that could not be read.
+    pub fn text(self, words: &dyn FrontEnd, layout: Layout) -> String {
+        let folder = match self.call.models.as_slice() {
+            [only] => only.display().to_string(),
+            _ => String::new(),
+        };
+        // A call that corrects has done what can be done.
+        let (command, mut head) = (self.command().filter(|_| !self.call.fix), self.headline());
+        if command.is_some() {
+            let bad = self.counts.iter().filter(|counts| counts.error + counts.warning > 0).count();
+            head.push_str(&format!("; this command puts {} right:", part_of_all(self.corrected, bad)));
+        }
+        let mut text = match folder.as_str() {
+            "" => layout.wrapped(&head, "  "),
+            folder => wrapped_with_path(folder, &head, "  ", layout.width()),
+        };
+        text.extend(
+            command.map(|command| format!("{}{}\n", words.prompt(), one_line(words.request(&command)))),
+        );
+        text.push('\n');
+        if !self.codes.is_empty() {
+            let table = self.table(&folder, layout);
+            let rows = table.lines().map(|line| format!("{}\n", line.strip_prefix(' ').unwrap_or(line)));
+            text.push_str(&painted_rows(&rows.collect::<String>(), layout));
+        }
+        if self.call.fix {
+            let folder = self.call.output_dir.as_ref().map(|folder| format!(" into {}", folder.display()));
+            let (written, all) = (self.written, counted(self.counts.len(), "model"));
+            let line = format!("{written} of {all} changed and written{}", folder.unwrap_or_default());
+            text.push_str(&layout.wrapped(&line, "  "));
+        }
+        text.push_str(&layout.wrapped(&self.unchecked_in_words(), "  "));
+        let is_open = self.codes.keys().any(|(_, code)| *code == FindingCode::SpheresNotCompared);
+        if is_open && self.call.from.is_none() {
+            let call = Verb::Check.call_with_model().with_placeholder(Input::From, "GENERIC");
+            let name = if folder.is_empty() { "MODEL".to_owned() } else { words.word(&folder) };
+            let call = words.command(&call).replacen("MODEL", &name, 1);
+            let what = format!("What to do: {call} compares each with the model that was scaled");
+            text.push_str(&format!("\n{}", layout.wrapped(&what, "  ")));
+        }
+        text
+    }
+
+    fn headline(&self) -> String {
+        let models = self.counts.len();
+        let with = |has: fn(&Counts) -> bool, what: &str| {
+            let count = self.counts.iter().filter(|counts| has(counts)).count();
+            let count_text = if count == models && models > 1 { "all".to_owned() } else { count.to_string() };
+            (count > 0).then(|| format!("{count_text} with {what}"))
+        };
+        let parts = [
+            with(|counts| counts.error > 0, "errors"),
+            with(|counts| counts.error == 0 && counts.warning > 0, "warnings"),
+        ];
+        let parts: Vec<String> = parts.into_iter().flatten().collect();
+        match (models, parts.as_slice()) {
+            (0, _) => "no model was checked".to_owned(),
+            (_, []) => format!("{}, none with an error or a warning", counted(models, "model")),
+            _ => format!("{}, {}", counted(models, "model"), parts.join(", ")),
+        }
+    }
+
+    /// One command that corrects all models which can be corrected.
+    fn command(&self) -> Option<Request> {
+        let first = self.steps.first()?;
+        let output = OutputOptions { output_dir: Some(RESULTS_FOLDER.into()), ..OutputOptions::default() };
+        let for_all = |steps: &[Request]| match steps {
+            [only] => {
+                let mut request = only.clone();
+                *request.models_mut()? = self.call.models.clone();
+                *request.output_mut()? = output.clone();
+                Some(request)
+            }
+            _ => None,
+        };
+        let request = for_all(first);
+        // A model that is right already stays as it is only where each gets its own steps.
+        let is_for_all =
+            self.steps.len() == self.counts.len() && self.steps.iter().all(|steps| for_all(steps) == request);
+        request.filter(|_| is_for_all).or_else(|| {
+            let CheckRequest { deny, format, report, .. } = CheckRequest::default();
+            let output_dir = Some(RESULTS_FOLDER.into());
+            let call = self.call.clone();
+            Some(CheckRequest { fix: true, output_dir, full: false, deny, format, report, ..call }.into())
+        })
+    }
+
+    fn table(&self, folder: &str, layout: Layout) -> String {
+        let mut table = table(&["models", "finding", "", "worst"]);
+        for ((Reverse(severity), code), found) in &self.codes {
+            let (_, size, model) = &found.worst;
+            let model = Path::new(model).strip_prefix(folder).unwrap_or(Path::new(model)).display();
+            let worst = if size.is_empty() { model.to_string() } else { format!("{size}, {model}") };
+            table.add_row([&found.models.to_string(), severity.as_str(), code.as_str(), &worst]);
+        }
+        table.right_aligned(&[0]);
+        table.into_lines(layout.columns.map(|columns| columns + 1))
+    }
+
+    /// A sentence about the models that were not checked.
+    fn unchecked_in_words(&self) -> String {
+        let names = |models: &[String]| {
+            let names: Vec<String> = models.iter().map(|name| shown_whole(name).to_string()).collect();
+            listed(&names, 10)
+        };
+        let without = match self.without_contacts.as_slice() {
+            [] => "none is without contacts".to_owned(),
+            models => format!("{} without contacts: {}", models.len(), names(models)),
+        };
+        match self.not_read.as_slice() {
+            [] => format!("every file was read; {without}"),
+            models => {
+                let what = if self.call.fix { "not read or not corrected" } else { "not read" };
+                format!("{} {what}: {}; {without}", models.len(), names(models))
+            }
+        }
+    }
+}
+
+/// The rows with the words for severities in their colours.
+fn painted_rows(text: &str, layout: Layout) -> String {
+    let mut out = String::new();
+    for line in text.split_inclusive('\n') {
+        let word = line.split_ascii_whitespace().nth(1).unwrap_or_default();
+        match [Severity::Error, Severity::Warning].into_iter().find(|level| level.as_str() == word) {
+            Some(found) => out.push_str(&line.replacen(word, &sign(found, layout.colour), 1)),
+            None => out.push_str(line),
+        }
+    }
+    out
+}
