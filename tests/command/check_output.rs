@@ -53,6 +53,24 @@ fn a_scaled_model_beside_its_original_is_asked_for_it() {
 }
 
 #[test]
+fn a_fix_of_models_with_the_same_name_is_refused_as_any_change() {
+    let dir = TestDir::with(&[
+        ("follows_size/generic.osim", "generic.osim"),
+        ("follows_size/scaled.osim", "s1/m.osim"),
+        ("follows_size/scaled.osim", "s2/m.osim"),
+    ]);
+    for (verb, fix) in [("check", " --fix"), ("transfer", "")] {
+        let call = format!("{verb} s1 s2 --from generic.osim{fix} -d same");
+        let run = dir.run(&call).usage_error().wrote_nothing();
+        let refused = "error: s1/m.osim and s2/m.osim would both be written to same/m.osim";
+        assert_eq!(run.err(), format!("{refused}: give them different names or folders\n"));
+    }
+    // Beside the models there is room for all.
+    let beside = ["s1/m.scaled.osim", "s2/m.scaled.osim"];
+    dir.run("check s1 s2 --from generic.osim --fix").succeeded().wrote(&beside);
+}
+
+#[test]
 fn tables_fit_80_columns() {
     for fixture in ["check/floats.osim", "format/mixed_radii.osim", "format/terrain_welded.osim"] {
         let dir = TestDir::with(&[(fixture, "model.osim"), ("check/within_limits.osim", "other.osim")]);

@@ -8,7 +8,7 @@ use osim_inspect::{CheckResult, Counts, Inspection};
 use osim_model::files::{Failure, OpenModel};
 use osim_model::messages::{Input, Verb, phrase};
 use osim_planning::{Inspector, ModelFeet};
-use osim_requests::options::ReportOptions;
+use osim_requests::options::{OutputOptions, ReportOptions};
 use osim_requests::{CheckRequest, Jobs};
 use osim_view::html::{Columns, DetailLevel, Entry, NamedDigest, PageHead};
 use osim_view::report::check::{self, LibraryTable};
@@ -18,7 +18,7 @@ use osim_view::report::inspection::{self, ModelsTable};
 use crate::file_access::FileKinds;
 use crate::paths::refuse_file_as_folder;
 use crate::report_page::{ReportPage, Words};
-use crate::run::{ModelToFix, NOTHING_WRITTEN, PathConflicts, ResultDestination};
+use crate::run::{ModelToFix, NOTHING_WRITTEN, PathConflicts, PathOwner, ResultDestination};
 use crate::source::MemoryFirst;
 use crate::workers::{thread_count, work_in_order};
 use crate::{
@@ -62,12 +62,12 @@ impl Survey<'_> {
     /// The check would write several models to one file or into a file, or several results exist already. The name of the page has another
     /// ending than `.html`, its folder is not there, the file exists already, or this call reads it.
     pub fn begin_page(&self, call: String) -> Result<Option<ReportPage>> {
-        self.check.map_or(Ok(()), |call| self.refuse_outputs(call))?;
+        let mut conflicts = PathConflicts::default();
+        self.sources.models.iter().for_each(|source| conflicts.add_input_of_model(source.path.as_path()));
+        self.inspector.extra_files.iter().for_each(|path| conflicts.add_input(path.as_path()));
+        self.check.map_or(Ok(()), |call| self.refuse_outputs(call, &mut conflicts))?;
         let Some(path) = &self.report.report else { return Ok(None) };
         require_folder_of(path, self.check.and_then(|call| call.output_dir.as_deref()))?;
-        let mut conflicts = PathConflicts::default();
-        self.sources.models.iter().for_each(|source| conflicts.add_input(source.path.as_path()));
-        self.inspector.extra_files.iter().for_each(|path| conflicts.add_input(path.as_path()));
         conflicts.add_output(path, "the report")?;
         let shown = match (self.sources.models.as_slice(), self.sources.failures.as_slice()) {
             ([source], []) => Some(source.shown()),
@@ -81,7 +81,7 @@ impl Survey<'_> {
     }
 
     /// Refuses one output for several models, a file as their folder, and several results that exist already and may not be replaced.
-    fn refuse_outputs(&self, call: &CheckRequest) -> Result<()> {
+    fn refuse_outputs<'p>(&'p self, call: &CheckRequest, conflicts: &mut PathConflicts<'p>) -> Result<()> {
         let (models, output) = (&self.sources.models, call.output());
         if models.len() > 1 && output.output.is_some() {
             return Err(LibraryFault::new(phrase![
@@ -90,12 +90,27 @@ impl Survey<'_> {
             ]));
         }
         output.output_dir.as_deref().map_or(Ok(()), refuse_file_as_folder)?;
+        if call.fix {
+            self.add_results(&output, conflicts)?;
+        }
         let results = models.iter().filter(|_| call.fix && !output.force);
         let existing = results.filter_map(|source| match ResultDestination::of_source(source, &output) {
             ResultDestination::File(path) if path.exists() => Some(path),
             _ => None,
         });
         LibraryFault::refuse_existing(&existing.collect::<Vec<_>>(), models.len(), None)
+    }
+
+    /// Adds the results of all models to the outputs that are compared; refuses one file for two of them.
+    fn add_results<'p>(&'p self, output: &OutputOptions, conflicts: &mut PathConflicts<'p>) -> Result<()> {
+        self.sources.models.iter().try_for_each(|source| {
+            let owner = PathOwner::Model(&source.path, None);
+            match ResultDestination::of_source(source, output) {
+                ResultDestination::File(path) => conflicts.add_output(&path, owner),
+                ResultDestination::InPlace => conflicts.add_changed_in_place(&source.path, owner),
+                ResultDestination::Stdout => Ok(()),
+            }
+        })
     }
 
     /// Inspects or checks all models on `jobs` threads, until `is_stopped` returns true. Puts each model on the `page`, then calls `each`
