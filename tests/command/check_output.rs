@@ -52,6 +52,33 @@ fn a_scaled_model_beside_its_original_is_asked_for_it() {
     dir.run("check .").says(&["osim-contact-scale check . --from GENERIC compares each"]);
 }
 
+/// The commands in what `check` printed, without the name of the program.
+fn printed_commands(out: &str) -> Vec<&str> {
+    out.lines().filter_map(|line| line.strip_prefix("$ osim-contact-scale ")).collect()
+}
+
+#[test]
+fn models_with_the_same_name_get_a_folder_of_results_each() {
+    let dir = TestDir::with(&[("follows_size/generic.osim", "generic.osim")]);
+    (1..=6).for_each(|number| dir.write(&format!("s{number}/m.osim"), fixture("follows_size/scaled.osim")));
+    let run = dir.run("check s1 s2 --from generic.osim").failed().wrote_nothing();
+    let out = run.says(&["2 models, all with errors; these commands put both right:\n$ "]).out();
+    let options = "--from generic.osim --follow-bodies --level -d";
+    let expected = [1, 2].map(|number| format!("transfer s{number} {options} RESULTS-{number}"));
+    assert_eq!(printed_commands(&out), expected);
+    for (number, command) in (1..).zip(&expected) {
+        dir.run(command).succeeded().wrote(&[&format!("RESULTS-{number}/m.osim")]);
+    }
+    // The next call finds other names.
+    let out = dir.run("check s1/m.osim s2/m.osim --from generic.osim").out();
+    let expected = [1, 2].map(|number| format!("transfer s{number}/m.osim {options} RESULTS-{}", number + 2));
+    assert_eq!(printed_commands(&out), expected);
+    // There would be too many commands.
+    dir.run("check s1 s2 s3 s4 s5 s6 --from generic.osim")
+        .says(&["6 models, all with errors\n", "What to do: check one folder that holds all these models"])
+        .says_not(&["RESULTS"]);
+}
+
 #[test]
 fn a_fix_of_models_with_the_same_name_is_refused_as_any_change() {
     let dir = TestDir::with(&[
@@ -68,6 +95,21 @@ fn a_fix_of_models_with_the_same_name_is_refused_as_any_change() {
     // Beside the models there is room for all.
     let beside = ["s1/m.scaled.osim", "s2/m.scaled.osim"];
     dir.run("check s1 s2 --from generic.osim --fix").succeeded().wrote(&beside);
+}
+
+#[test]
+fn a_proposed_folder_of_results_is_new() {
+    let dir = TestDir::with(&[
+        ("follows_size/generic.osim", "generic.osim"),
+        ("follows_size/scaled.osim", "lib/a.osim"),
+        ("follows_size/scaled.osim", "lib/b.osim"),
+    ]);
+    for folder in ["RESULTS", "RESULTS-1"] {
+        let out = dir.run("check lib --from generic.osim").failed().out();
+        let expected = format!("transfer lib --from generic.osim --follow-bodies --level -d {folder}");
+        assert_eq!(printed_commands(&out), [expected.as_str()]);
+        dir.run(&expected).succeeded().wrote(&[&format!("{folder}/a.osim"), &format!("{folder}/b.osim")]);
+    }
 }
 
 #[test]

@@ -8,7 +8,7 @@ use osim_model::files::InMemory;
 use osim_planning::{Inspector, open_with, prepare};
 use osim_requests::spell::CommandLine;
 use osim_requests::{CheckRequest, Request};
-use osim_view::report::check::{LibraryTable, csv_rows, text};
+use osim_view::report::check::{LibraryTable, RESULTS_FOLDER, csv_rows, text};
 use osim_view::report::extent::{Extent, Layout};
 use osim_view::report::json::line;
 use serde_json::json;
@@ -52,7 +52,7 @@ fn check_of_several_models_equals_the_command() {
     let files = files_in_memory(&dir);
     let request =
         request!(Check, {"verb": "check", "models": ["human.osim", "floats.osim"], "deny": "warning"});
-    let mut table = LibraryTable::new(request.clone());
+    let mut table = LibraryTable::new(request.clone(), vec![RESULTS_FOLDER.into()]);
     let mut denied = false;
     for path in &request.models {
         let result = check_and_spell(&request, path, &files);

@@ -11,7 +11,7 @@ use osim_planning::{Inspector, ModelFeet};
 use osim_requests::options::{OutputOptions, ReportOptions};
 use osim_requests::{CheckRequest, Jobs};
 use osim_view::html::{Columns, DetailLevel, Entry, NamedDigest, PageHead};
-use osim_view::report::check::{self, LibraryTable};
+use osim_view::report::check::{self, LibraryTable, RESULTS_FOLDER};
 use osim_view::report::extent::Layout;
 use osim_view::report::inspection::{self, ModelsTable};
 
@@ -24,6 +24,9 @@ use crate::workers::{thread_count, work_in_order};
 use crate::{
     Disk, LibraryFault, LoadedModel, ModelSource, OutputFolders, Result, Sources, require_folder_of, sha256,
 };
+
+/// The largest number of commands that are proposed for models with the same names.
+const MOST_COMMANDS: usize = 5;
 
 /// Models that one call inspects or checks, with the options of the call.
 pub struct Survey<'s> {
@@ -113,6 +116,20 @@ impl Survey<'_> {
         })
     }
 
+    /// New folders for the results of proposed commands: one, or one for each of the `named` paths if results would get the same name.
+    fn result_folders(&self, named: usize) -> Vec<PathBuf> {
+        let output = OutputOptions { output_dir: Some(RESULTS_FOLDER.into()), ..OutputOptions::default() };
+        let are_apart = self.add_results(&output, &mut PathConflicts::default()).is_ok();
+        let count = match named {
+            _ if are_apart => 1,
+            2..=MOST_COMMANDS => named,
+            _ => 0,
+        };
+        let all = (1..).map(|number| format!("{RESULTS_FOLDER}-{number}"));
+        let all = are_apart.then(|| RESULTS_FOLDER.to_owned()).into_iter().chain(all).map(PathBuf::from);
+        all.filter(|folder| !folder.exists()).take(count).collect()
+    }
+
     /// Inspects or checks all models on `jobs` threads, until `is_stopped` returns true. Puts each model on the `page`, then calls `each`
     /// with its name and result, in the order in which the user named the models.
     ///
@@ -161,7 +178,7 @@ impl Survey<'_> {
             is_first: true,
             names_full: true,
             models: (call.is_none() && self.is_table()).then(ModelsTable::default),
-            library: call.map(|call| LibraryTable::new(call.clone())),
+            library: call.map(|call| LibraryTable::new(call.clone(), self.result_folders(call.models.len()))),
         };
         let failures = self.sources.failures.iter();
         failures.for_each(|failure| text.add_failed(&failure.model.to_string(), failure.code));

@@ -149,8 +149,9 @@ fn findings_are_told_with_what_to_do() {
 
 #[test]
 fn a_library_of_models_is_shown_as_one_table() {
-    let mut library =
-        check::LibraryTable::new(CheckRequest { models: vec!["models".into()], ..CheckRequest::default() });
+    let results = vec![check::RESULTS_FOLDER.into()];
+    let call = CheckRequest { models: vec!["models".into()], ..CheckRequest::default() };
+    let mut library = check::LibraryTable::new(call, results);
     for name in [SMOOTH_MODEL, MODEL_OF_MIXED_RADII, "check/sunk_in.osim", "check/floats.osim"] {
         library.add(&inspected(&InspectOptions::default(), &open(name), &CommandLine).1);
     }
@@ -159,7 +160,8 @@ fn a_library_of_models_is_shown_as_one_table() {
     // A name is shortened by the folder itself, not by the beginning of another folder's name.
     for (folder, shown) in [("check/", " floats.osim"), ("che", " check/floats.osim")] {
         let models = vec![folder.into()];
-        let mut library = check::LibraryTable::new(CheckRequest { models, ..CheckRequest::default() });
+        let call = CheckRequest { models, ..CheckRequest::default() };
+        let mut library = check::LibraryTable::new(call, Vec::new());
         library.add(&inspected(&InspectOptions::default(), &open("check/floats.osim"), &CommandLine).1);
         let text = library.text(&CommandLine, Layout::default());
         assert!(text.contains(shown), "{text}");

@@ -2,7 +2,7 @@
 
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use osim_inspect::{CheckResult, Counts};
 use osim_model::messages::{Input, Verb, counted, listed, one_line, shown_whole};
@@ -31,6 +31,7 @@ pub struct LibraryTable {
     not_read: Vec<String>,
     /// The number of models that the call corrected and wrote.
     pub written: usize,
+    result_folders: Vec<PathBuf>,
 }
 
 /// The models in which a code was found.
@@ -41,13 +42,18 @@ struct FoundInModels {
     worst: (f64, String, String),
 }
 
-/// The folder for results in a command that is proposed for many models.
-const RESULTS_FOLDER: &str = "RESULTS";
+/// The folder for results in a command that is proposed for many models, unless a folder of this name is there.
+pub const RESULTS_FOLDER: &str = "RESULTS";
+
+/// What to do where no command is proposed, because its results would need too many folders.
+const EQUAL_NAMES: &str = "What to do: check one folder that holds all these models, or fewer at a time; \
+                           results of models with the same name do not fit into one folder";
 
 impl LibraryTable {
-    /// A table for the models of `call`.
-    pub fn new(call: CheckRequest) -> Self {
-        Self { call, ..Self::default() }
+    /// A table for the models of `call`. Proposed commands write into `result_folders`: one, or one for each path of the call. Without
+    /// any, no command is proposed.
+    pub fn new(call: CheckRequest, result_folders: Vec<PathBuf>) -> Self {
+        Self { call, result_folders, ..Self::default() }
     }
 
     /// Adds the findings about the next model to the counts of the table.
@@ -89,7 +95,7 @@ impl LibraryTable {
         }
     }
 
-    /// The table as text: the number of models with errors or warnings, and the command that corrects them; a row for each code; the files
+    /// The table as text: the number of models with errors or warnings, and the commands that correct them; a row for each code; the files
     /// that could not be read.
     pub fn text(self, words: &dyn FrontEnd, layout: Layout) -> String {
         let folder = match self.call.models.as_slice() {
@@ -97,18 +103,20 @@ impl LibraryTable {
             _ => String::new(),
         };
         // A call that corrects has done what can be done.
-        let (command, mut head) = (self.command().filter(|_| !self.call.fix), self.headline());
-        if command.is_some() {
+        let commands = if self.call.fix { Vec::new() } else { self.commands() };
+        let mut head = self.headline();
+        if !commands.is_empty() {
             let bad = self.counts.iter().filter(|counts| counts.error + counts.warning > 0).count();
-            head.push_str(&format!("; this command puts {} right:", part_of_all(self.corrected, bad)));
+            let what = if commands.len() > 1 { "these commands put" } else { "this command puts" };
+            head.push_str(&format!("; {what} {} right:", part_of_all(self.corrected, bad)));
         }
         let mut text = match folder.as_str() {
             "" => layout.wrapped(&head, "  "),
             folder => wrapped_with_path(folder, &head, "  ", layout.width()),
         };
-        text.extend(
-            command.map(|command| format!("{}{}\n", words.prompt(), one_line(words.request(&command)))),
-        );
+        for command in &commands {
+            text.push_str(&format!("{}{}\n", words.prompt(), one_line(words.request(command))));
+        }
         text.push('\n');
         if !self.codes.is_empty() {
             let table = self.table(&folder, layout);
@@ -122,6 +130,9 @@ impl LibraryTable {
             text.push_str(&layout.wrapped(&line, "  "));
         }
         text.push_str(&layout.wrapped(&self.unchecked_in_words(), "  "));
+        if self.result_folders.is_empty() && !self.steps.is_empty() && !self.call.fix {
+            text.push_str(&format!("\n{}", layout.wrapped(EQUAL_NAMES, "  ")));
+        }
         let is_open = self.codes.keys().any(|(_, code)| *code == FindingCode::SpheresNotCompared);
         if is_open && self.call.from.is_none() {
             let call = Verb::Check.call_with_model().with_placeholder(Input::From, "GENERIC");
@@ -152,14 +163,21 @@ impl LibraryTable {
         }
     }
 
-    /// One command that corrects all models which can be corrected.
-    fn command(&self) -> Option<Request> {
+    /// The commands that correct all models which can be corrected: one for each folder of results.
+    fn commands(&self) -> Vec<Request> {
+        let (models, folders) = (&self.call.models, &self.result_folders);
+        let parts = models.chunks(models.len().div_ceil(folders.len().max(1)).max(1));
+        parts.zip(folders).filter_map(|(models, folder)| self.command(models, folder)).collect()
+    }
+
+    /// One command for the models at these paths of the call, with the folder for its results.
+    fn command(&self, models: &[PathBuf], folder: &Path) -> Option<Request> {
         let first = self.steps.first()?;
-        let output = OutputOptions { output_dir: Some(RESULTS_FOLDER.into()), ..OutputOptions::default() };
+        let output = OutputOptions { output_dir: Some(folder.to_owned()), ..OutputOptions::default() };
         let for_all = |steps: &[Request]| match steps {
             [only] => {
                 let mut request = only.clone();
-                *request.models_mut()? = self.call.models.clone();
+                *request.models_mut()? = models.to_owned();
                 *request.output_mut()? = output.clone();
                 Some(request)
             }
@@ -171,9 +189,9 @@ impl LibraryTable {
             self.steps.len() == self.counts.len() && self.steps.iter().all(|steps| for_all(steps) == request);
         request.filter(|_| is_for_all).or_else(|| {
             let CheckRequest { deny, format, report, .. } = CheckRequest::default();
-            let output_dir = Some(RESULTS_FOLDER.into());
-            let call = self.call.clone();
-            Some(CheckRequest { fix: true, output_dir, full: false, deny, format, report, ..call }.into())
+            let (models, output_dir, call) = (models.to_owned(), output.output_dir, self.call.clone());
+            let call = CheckRequest { models, output_dir, deny, format, report, ..call };
+            Some(CheckRequest { fix: true, full: false, ..call }.into())
         })
     }
 

@@ -13,7 +13,7 @@ use crate::report::extent::Layout;
 use crate::report::layout::{csv_text, sign, wrapped_with_path};
 use crate::report::similarity;
 
-pub use library_table::LibraryTable;
+pub use library_table::{LibraryTable, RESULTS_FOLDER};
 
 /// Columns of a terminal before the words of a row.
 const ROW_INDENT: usize = 18;
