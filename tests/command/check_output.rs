@@ -41,6 +41,29 @@ fn check_prints_tables_json_and_csv() {
 }
 
 #[test]
+fn a_folder_names_the_model_with_the_largest_fault() {
+    let dir = TestDir::with(&[HUMAN, ("check/within_limits.osim", "level.osim")]);
+    for (name, times) in [("a", "1.5"), ("b", "5"), ("c", "2")] {
+        let call = format!("set human.osim stiffness=x{times} --select *_l --no-note -o {name}.osim");
+        dir.run(&call).succeeded();
+    }
+    let (level, human) = (dir.text("level.osim"), dir.text("human.osim"));
+    for (name, floor) in [("d", "0 -0.1 0"), ("e", "0 -1 0"), ("f", "0 -0.5 0")] {
+        dir.write(&format!("{name}.osim"), level.replacen("0 -0.05 0", floor, 1));
+    }
+    for (name, radius) in [("g", "32"), ("h", "320")] {
+        dir.write(&format!("{name}.osim"), human.replacen("0.032000000000000001<", &format!("{radius}<"), 1));
+    }
+    let out = dir.run("check a.osim b.osim c.osim d.osim e.osim f.osim g.osim h.osim").failed().out();
+    for (code, worst) in [("left-right-differ", "b"), ("not-on-floor", "h"), ("odd-radius", "h")] {
+        let row = out.lines().find(|line| line.split_ascii_whitespace().nth(2) == Some(code));
+        assert!(row.is_some_and(|row| row.ends_with(&format!("  {worst}.osim"))), "{code}: {out}");
+    }
+    let heights = dir.run("check d.osim e.osim f.osim").succeeded().out();
+    assert!(heights.contains("     3  remark   not-on-floor  e.osim\n"), "{heights}");
+}
+
+#[test]
 fn a_scaled_model_beside_its_original_is_asked_for_it() {
     let dir = TestDir::with(&[
         ("scale_tool/scaled_smooth.osim", "scaled.osim"),

@@ -62,7 +62,12 @@ enum ReachMeasure {
 impl Reach {
     /// Whether no published sphere reaches this far.
     pub(crate) fn is_odd(&self) -> bool {
-        self.value < *self.usual.start() || self.value > *self.usual.end()
+        self.excess() > 0.0
+    }
+
+    /// How far outside the usual reach it is; not above 0 within it.
+    pub(crate) fn excess(&self) -> f64 {
+        (self.usual.start() - self.value).max(self.value - self.usual.end())
     }
 
     /// The reach in words, to follow the name of the sphere in a sentence.

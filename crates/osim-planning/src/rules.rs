@@ -186,7 +186,7 @@ pub(crate) fn find_mass_against_length(sizes: &SizeList) -> Option<Finding> {
         three_significant(similar),
         three_significant(density),
     );
-    is_unlike.then(|| Finding::new(&MASS_AGAINST_LENGTH, text))
+    is_unlike.then(|| Finding::new(&MASS_AGAINST_LENGTH, text).with_measure(density.ln().abs(), ""))
 }
 
 rule! { DISSIPATION_FORMS: DissipationForms, Remark, Mass;

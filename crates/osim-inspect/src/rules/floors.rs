@@ -30,7 +30,7 @@ fn find_turned_floor(judged: &JudgedPlane, rule: &'static Rule, is_upside_down: 
         three_significant(degrees),
         surface.level_orientation.map(readable).join(" "),
     );
-    Some(Finding::at(rule, orientation.position, text).with_place(&plane.path))
+    Some(Finding::at(rule, orientation.position, text).with_place(&plane.path).with_measure(degrees, ""))
 }
 
 rule! { pub(super) FLOOR_UPSIDE_DOWN: FloorUpsideDown, Error, Floor;
@@ -100,7 +100,7 @@ pub(super) fn find_sloping_floor(judged: &JudgedPlane) -> Option<Finding> {
         three_significant(degrees),
         readable((1e4 * degrees.to_radians().cos()).round() / 1e4),
     );
-    Some(Finding::at(&FLOOR_SLOPES, plane.position, text).with_place(&plane.path))
+    Some(Finding::at(&FLOOR_SLOPES, plane.position, text).with_place(&plane.path).with_measure(degrees, ""))
 }
 
 rule! { pub(super) FLOOR_STEP: FloorStep, Remark, Floor;
@@ -133,7 +133,8 @@ pub(super) fn find_floor_step(floors: &Floors) -> Option<Finding> {
     let mm = four_significant(1e3 * height_m.abs());
     let word = if height_m > 0.0 { "higher" } else { "lower" };
     let text = format!("{} is {mm} mm {word} than {}", shown(&plane.name), shown(&first.name));
-    Some(Finding::at(&FLOOR_STEP, plane.position, text).with_place(&plane.path))
+    let finding = Finding::at(&FLOOR_STEP, plane.position, text).with_place(&plane.path);
+    Some(finding.with_measure(height_m.abs(), ""))
 }
 
 rule! { pub(crate) NO_GRAVITY: NoGravity, Error, Floor;
@@ -181,7 +182,8 @@ pub(super) fn find_too_large_gravity(model: &Model) -> Option<Finding> {
         let metres = gravity.map(|value| readable(value / unit)).join(" ");
         text.push_str(&format!("; write <gravity>{metres}</gravity>"));
     }
-    Some(Finding::new(&GRAVITY_TOO_LARGE, text).with_position(model.gravity_position()))
+    let finding = Finding::new(&GRAVITY_TOO_LARGE, text).with_position(model.gravity_position());
+    Some(finding.with_measure(size, ""))
 }
 
 /// Gravity on planets and moons on which a body can stand, m/s²: from a small moon to more than any solid planet.
@@ -208,6 +210,7 @@ pub(super) fn find_odd_gravity(model: &Model, floors: &Floors) -> Option<Finding
     }
     let text = format!("gravity is {} m/s2, that of the Earth 9.81 m/s2", readable(size));
     let finding = Finding::new(&ODD_GRAVITY, text).with_position(model.gravity_position());
+    let finding = finding.with_measure((size / 9.81).ln().abs(), "");
     Some(if of_a_place { finding.with_severity(Severity::Remark) } else { finding })
 }
 
@@ -244,7 +247,8 @@ pub(super) fn find_gravity_not_into_floor(model: &Model, judged: &JudgedPlane) -
         shown(&judged.plane.name),
         down.to_array().map(readable).join(" "),
     );
-    Some(Finding::new(&GRAVITY_NOT_DOWN, text).with_position(model.gravity_position()))
+    let finding = Finding::new(&GRAVITY_NOT_DOWN, text).with_position(model.gravity_position());
+    Some(finding.with_measure(degrees, ""))
 }
 
 rule! { pub(crate) GRAVITY_SOURCES_DISAGREE: GravitySourcesDisagree, Warning, Mass;
@@ -263,11 +267,12 @@ pub(crate) fn find_gravity_sources_disagree(model: &Model, options: &InspectOpti
     if options.stance.gravity_m_s2.is_some() || are_equal_gravities(noted, present) {
         return None;
     }
+    let size = (noted / present).ln().abs();
     let (noted, present) = (readable(noted), readable(present));
     let message = phrase![
         "its contacts are made for {noted} m/s2 (note in the file), and its gravity is {present} m/s2: set \
         <gravity>{}";
         Input::Gravity.either(phrase![", or give ", Input::Gravity.with_value(noted.as_str())], "")
     ];
-    Some(Finding::new(&GRAVITY_SOURCES_DISAGREE, message))
+    Some(Finding::new(&GRAVITY_SOURCES_DISAGREE, message).with_measure(size, ""))
 }

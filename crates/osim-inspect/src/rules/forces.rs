@@ -15,23 +15,23 @@ use crate::rules::skeleton::foot_spheres_on_ground;
 use crate::rules::spheres::{finding_about_spheres, other_cases_in_words};
 use osim_model::rule;
 
-/// One finding for all forces with a parameter set that `describe` has a text about: the text of the first one, and how many others.
+/// One finding for all forces with a parameter set that `describe` has a text about: the text of the first one, and how many others. Its
+/// measure is the largest of their numbers.
 pub(super) fn finding_about_forces(
     model: &Model,
     rule: &'static Rule,
-    describe: impl Fn(&Force, &ParameterSet) -> Option<String>,
+    describe: impl Fn(&Force, &ParameterSet) -> Option<(f64, String)>,
 ) -> Option<Finding> {
     let forces = model.forces().iter();
     let found = forces
         .filter_map(|force| force.sets.iter().find_map(|set| Some((force, set, describe(force, set)?))));
-    let found: Vec<(&Force, &ParameterSet, String)> = found.collect();
-    let (force, set, text) = found.first()?;
+    let found: Vec<(&Force, &ParameterSet, (f64, String))> = found.collect();
+    let (force, set, (_, text)) = found.first()?;
+    let size = found.iter().map(|(.., (size, _))| *size).fold(0.0, f64::max);
     let more = other_cases_in_words(found.len(), "another force, too", "other forces, too");
     let places = found.iter().map(|(force, ..)| force.path.clone()).collect();
-    Some(Finding {
-        places,
-        ..Finding::at(rule, set.position, format!("{text}{more}")).with_place(&force.path)
-    })
+    let finding = Finding::at(rule, set.position, format!("{text}{more}")).with_place(&force.path);
+    Some(Finding { places, ..finding.with_measure(size, "") })
 }
 
 rule! { pub(super) SEVERAL_SPHERES_ONE_FORCE: SeveralSpheres, Remark, Solver;
@@ -88,7 +88,7 @@ pub(super) fn apply_surface_rules(model: &Model) -> Vec<Finding> {
     let find = |(rule, describe): (&'static Rule, DescribeForce)| {
         // Once for each force, not for each of its parameter sets.
         finding_about_forces(model, rule, |force, set| {
-            (set.id == SetId::FIRST).then(|| describe(model, force))?
+            (set.id == SetId::FIRST).then(|| Some((0.0, describe(model, force)?)))?
         })
     };
     rules.into_iter().filter_map(find).collect()

@@ -43,8 +43,9 @@ fn find_large_friction(model: &Model) -> Option<Finding> {
                 Some((set.value(*property).filter(is_large)?, limit))
             })?;
             let number = format!("{} {}", readable(large.number), large.property.unit());
-            let (property, path) = (large.property, &force.path);
-            Some(format!("{property} of {path} is {}, expected at most {limit}", number.trim_ascii_end()))
+            let (property, path, number) = (large.property, &force.path, number.trim_ascii_end());
+            let text = format!("{property} of {path} is {number}, expected at most {limit}");
+            Some((large.number / limit, text))
         })
     };
     let unusual = || Some(above(UNUSUAL_VISCOUS_FRICTION)?.with_severity(Severity::Remark));
@@ -66,8 +67,9 @@ fn find_dynamic_above_static(model: &Model) -> Option<Finding> {
             .map(|property| set.value(property).map_or(0.0, |value| value.number));
         // One that is negative or not finite has another finding.
         (resting >= 0.0 && sliding > resting && sliding.is_finite()).then(|| {
-            let [sliding, resting] = [sliding, resting].map(readable);
-            format!("dynamic_friction of {} is {sliding}, but its static_friction {resting}", force.path)
+            let ([more, less], path) = ([sliding, resting].map(readable), &force.path);
+            let text = format!("dynamic_friction of {path} is {more}, but its static_friction {less}");
+            (sliding - resting, text)
         })
     })
 }
@@ -91,7 +93,7 @@ fn find_odd_transition_velocity(model: &Model) -> Option<Finding> {
         finding_about_forces(model, &ODD_TRANSITION_VELOCITY, |force, set| {
             let speed = force.value(set.id, Property::TransitionVelocity)?.number;
             let text = || format!("transition_velocity of {} is {} m/s, {what}", force.path, readable(speed));
-            (speed.is_finite() && is_odd(speed)).then(text)
+            (speed.is_finite() && is_odd(speed)).then(|| (speed.max(1.0 / speed), text()))
         })
     };
     let coulomb =

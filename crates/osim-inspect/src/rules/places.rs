@@ -133,7 +133,7 @@ fn find_misplaced_by_file_alone(evidence: &PlaceEvidence, model: &Model) -> Opti
                 shown(body),
                 percent_text(*growth),
             );
-            Some(Finding::new(&SPHERES_MISPLACED, text))
+            Some(Finding::new(&SPHERES_MISPLACED, text).with_measure(change_of_size(growth), ""))
         }
         PlaceEvidence::NotOnFeet(bodies) => {
             let text = format!(
@@ -208,7 +208,13 @@ fn left_behind_since_note(noted: &ScaledSinceNote) -> Finding {
         "bodies were scaled after the note was written, and the spheres stayed: {}",
         bodies.join(", ")
     );
-    Finding::new(&SPHERES_LEFT_BEHIND, text)
+    let size = noted.factors.values().map(change_of_size).fold(0.0, f64::max);
+    Finding::new(&SPHERES_LEFT_BEHIND, text).with_measure(size, "")
+}
+
+/// How much a body grew or shrank along the axis where it did most: the logarithm of its factor.
+fn change_of_size(factors: &[f64; 3]) -> f64 {
+    factors.iter().map(|factor| factor.ln().abs()).fold(0.0, f64::max)
 }
 
 /// Factors along x, y and z in words; one number if they are equal.
@@ -277,7 +283,9 @@ fn misplaced_by_reach(model: &Model, far: &[Reach]) -> Option<Finding> {
     let (reach, sphere) = spheres.first()?;
     let more = if spheres.len() > 1 { format!(" ({} more)", spheres.len() - 1) } else { String::new() };
     let text = format!("{} {}{more}", sphere.name, reach.describe());
-    finding_about_spheres(&SPHERES_MISPLACED, text, spheres.iter().map(|(_, sphere)| *sphere))
+    let size = spheres.iter().map(|(reach, _)| reach.excess()).fold(0.0, f64::max);
+    let finding = finding_about_spheres(&SPHERES_MISPLACED, text, spheres.iter().map(|(_, sphere)| *sphere));
+    Some(finding?.with_measure(size, ""))
 }
 
 /// A sphere that is ahead of the ankle by more than this part of the limb's longest bone does not serve as a heel. The heel of D'Hondt et

@@ -47,12 +47,14 @@ fn finding_of_side_difference(
     differences: &[SideDifference],
     is_small: bool,
 ) -> Option<Finding> {
-    let first = differences.iter().find(|difference| difference.is_small == is_small)?;
+    let of_size = || differences.iter().filter(move |difference| difference.is_small == is_small);
+    let first = of_size().next()?;
     let text = |what: &str| format!("{} and {} differ: {what}", left.path, right.path);
+    let times = of_size().map(|difference| difference.times).fold(1.0, f64::max);
     let finding = Finding::at(rule, left.position, text(&first.text)).with_place(&left.path);
     let all: Vec<&str> = differences.iter().map(|difference| difference.text.as_str()).collect();
     let details = if all.len() > 1 { vec![text(&all.join("; "))] } else { Vec::new() };
-    Some(finding.with_details(details))
+    Some(finding.with_details(details).with_measure(times, ""))
 }
 
 /// The side with right contacts, if only one side has them: contacts of the reference that the caller names, or published ones from the
@@ -218,10 +220,11 @@ pub(super) fn find_left_right_places(sides: &BothSides<'_>) -> Option<Finding> {
     let mut far_pairs: Vec<(f64, &SpherePair<'_>)> =
         sides.pairs.iter().filter_map(|pair| Some((distance_too_far(pair, limit)?, pair))).collect();
     far_pairs.sort_by(|(a, _), (b, _)| b.total_cmp(a));
-    let (_, worst) = far_pairs.first()?;
+    let (apart, worst) = far_pairs.first()?;
     let more = other_cases_in_words(far_pairs.len(), "another pair, too", "other pairs, too");
     let text = format!("{}{more}", describe_places(worst));
-    finding_about_spheres(&LEFT_RIGHT_PLACES, text, far_pairs.iter().map(|(_, pair)| pair.left.sphere))
+    let spheres = far_pairs.iter().map(|(_, pair)| pair.left.sphere);
+    Some(finding_about_spheres(&LEFT_RIGHT_PLACES, text, spheres)?.with_measure(*apart, ""))
 }
 
 /// Like [`SAME_PLACE_OF_BONE`], if all numbers of the left places are those of the right ones: they were copied, not mirrored.

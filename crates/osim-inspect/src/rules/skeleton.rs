@@ -221,7 +221,7 @@ impl<'m> LimbsFromFeet<'m> {
             three_significant(1e3 * bone_m),
             100.0 * UNLIKE_PART_OF_BONE
         );
-        self.finding(&LEFT_RIGHT_BONES, body, text)
+        Some(self.finding(&LEFT_RIGHT_BONES, body, text)?.with_measure(apart_m / bone_m, ""))
     }
 
     /// Whether OpenSim reads other numbers than are written in a joint above `body`, or in a frame of it.

@@ -169,5 +169,6 @@ pub(super) fn find_beyond_hunt_crossley(check: &FigureCheck<'_>) -> Option<Findi
         four_significant(speed),
         RESTITUTION.value
     );
-    Some(check.finding_at_force(&BEYOND_HUNT_CROSSLEY, &text, &affected).into())
+    let finding = check.finding_at_force(&BEYOND_HUNT_CROSSLEY, &text, &affected);
+    Some(finding.with_measure(affected.largest * speed, "").into())
 }

@@ -70,7 +70,9 @@ pub(super) fn find_odd_place(sides: &BothSides<'_>) -> Option<Finding> {
     }
     far.sort_by(|a, b| b.times_limit().total_cmp(&a.times_limit()));
     let worst = far.first()?;
-    finding_about_spheres(&ODD_PLACE, describe_far(worst, far.len()), far.iter().map(|far| far.sphere))
+    let text = describe_far(worst, far.len());
+    let finding = finding_about_spheres(&ODD_PLACE, text, far.iter().map(|far| far.sphere))?;
+    Some(finding.with_measure(worst.times_limit(), ""))
 }
 
 /// The size of a body, with which the distances of its spheres are compared.
@@ -204,7 +206,8 @@ pub(super) fn find_odd_radius(sides: &BothSides<'_>) -> Option<Finding> {
     odd.sort_by(|a, b| b.times_limit().total_cmp(&a.times_limit()));
     let Some(worst) = odd.first() else { return find_large_against_mass(sides) };
     let text = describe_odd_radius(worst, odd.len());
-    finding_about_spheres(&ODD_RADIUS, text, odd.iter().map(|odd| odd.sphere))
+    let finding = finding_about_spheres(&ODD_RADIUS, text, odd.iter().map(|odd| odd.sphere))?;
+    Some(finding.with_measure(worst.times_limit(), ""))
 }
 
 /// One finding for all radii on limbs that are too large against the mass, though not against the bones: all lengths are in another unit.
@@ -223,7 +226,8 @@ fn find_large_against_mass(sides: &BothSides<'_>) -> Option<Finding> {
         four_significant(kg),
         other_cases_in_words(large.len(), "another radius, too", "other radii, too")
     );
-    finding_about_spheres(&ODD_RADIUS, text, large.iter().copied())
+    let times = large.iter().map(|one| one.radius.number / largest_m).fold(1.0, f64::max);
+    Some(finding_about_spheres(&ODD_RADIUS, text, large.iter().copied())?.with_measure(times, ""))
 }
 
 /// A sphere whose radius is too large or too small for its limb.
@@ -359,12 +363,12 @@ pub(super) fn find_heavy_foot(sides: &BothSides<'_>) -> Option<Finding> {
     let more = other_cases_in_words(heavy.len(), "another foot, too", "other feet, too");
     let heavier = heavy.first().copied().or_else(|| find_heavier_than_counterpart(sides.model, kg));
     let (heavy_body, heavy_kg, (kg, other)) = heavier?;
-    let [heavy_kg, kg] = [heavy_kg, kg].map(three_significant);
+    let [heavy, light] = [heavy_kg, kg].map(three_significant);
     let text =
-        format!("{} weighs {heavy_kg} kg, more than {} ({kg} kg){more}", shown(heavy_body), shown(other));
+        format!("{} weighs {heavy} kg, more than {} ({light} kg){more}", shown(heavy_body), shown(other));
     let body = all.get(heavy_body)?;
     let position = sides.model.file(body.file).position(body.mass.offset);
-    Some(Finding::at(&HEAVY_FOOT, position, text).with_place(&body.path))
+    Some(Finding::at(&HEAVY_FOOT, position, text).with_place(&body.path).with_measure(heavy_kg / kg, ""))
 }
 
 /// Spheres of one body are crowded if they extend over less than this part of the limb's longest bone. In the corpus they extend over 0.077
@@ -394,12 +398,15 @@ pub(super) fn find_crowded_spheres(sides: &BothSides<'_>) -> Option<Finding> {
     let on_sides = || by_body.values().flatten();
     if by_body.len() > 1 && on_sides().all(|(_, place_m)| *place_m == DVec3::ZERO) {
         let text = format!("all {} spheres are at the origins of their bodies", on_sides().count());
-        return finding_about_spheres(&CROWDED_SPHERES, text, on_sides().map(|(sphere, _)| *sphere));
+        let finding = finding_about_spheres(&CROWDED_SPHERES, text, on_sides().map(|(sphere, _)| *sphere))?;
+        return Some(finding.with_measure(0.0, ""));
     }
     crowds.sort_by(|a, b| a.part_of_bone().total_cmp(&b.part_of_bone()));
     let worst = crowds.first()?;
     let text = describe_crowd(worst, crowds.len())?;
-    finding_about_spheres(&CROWDED_SPHERES, text, crowds.iter().flat_map(|crowd| &crowd.spheres).copied())
+    let spheres = crowds.iter().flat_map(|crowd| &crowd.spheres).copied();
+    // The smallest crowd is the worst.
+    Some(finding_about_spheres(&CROWDED_SPHERES, text, spheres)?.with_measure(-worst.part_of_bone(), ""))
 }
 
 /// Spheres of one body that are nearly in one place.

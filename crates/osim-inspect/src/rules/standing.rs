@@ -27,8 +27,9 @@ pub(super) fn find_not_on_floor(check: &FigureCheck<'_>) -> Vec<FindingWithRemed
         let which = if bodies.len() > 1 { format!(" of {}", shown(&body.body)) } else { String::new() };
         let (height, way) = (body.pose_in_words()?, body.describe_way_to_stand());
         let text = format!("the default pose{which} is {height}; {way}");
-        let finding = Finding::new(&NOT_ON_FLOOR, text).with_place(&body.lowest()?.path);
-        Some(FindingWithRemedy::from(finding))
+        let lowest = body.lowest()?;
+        let finding = Finding::new(&NOT_ON_FLOOR, text).with_place(&lowest.path);
+        Some(FindingWithRemedy::from(finding.with_measure(lowest.height_m.abs(), "")))
     };
     let off_floor = bodies.iter().filter(|body| body.is_above_floor() || body.is_inside_floor());
     off_floor.filter_map(finding).collect()
@@ -178,7 +179,7 @@ impl<'i> UnevenLimb<'i> {
             shown(&highest.sphere),
             self.depths_in_words(),
         );
-        Finding::new(rule, text).with_place(&highest.path)
+        Finding::new(rule, text).with_place(&highest.path).with_measure(*difference_radii, "")
     }
 
     /// How deep the lowest and the highest sphere are while the limb carries the body; empty if it is not known.

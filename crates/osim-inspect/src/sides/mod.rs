@@ -197,6 +197,8 @@ pub(crate) struct SideDifference {
     pub text: String,
     /// Whether the sides of published models differ by as much.
     pub is_small: bool,
+    /// How many times the larger number is the smaller one.
+    pub times: f64,
     /// The side that is unlike most other contacts of the model, if it is known.
     pub odd: Option<Side>,
 }
@@ -249,8 +251,14 @@ impl NumberCounts {
             Some((_, count, number)) => format!(" ({count} others have {number})"),
             None => String::new(),
         };
-        SideDifference { text: format!("{what}{others}"), is_small, odd: odd.map(|(side, _, _)| side) }
+        let (text, odd) = (format!("{what}{others}"), odd.map(|(side, _, _)| side));
+        SideDifference { text, is_small, times: times_apart(left, right), odd }
     }
+}
+
+/// How many times the larger of two numbers is the smaller one.
+fn times_apart(left: &Value, right: &Value) -> f64 {
+    (left.number / right.number).max(right.number / left.number)
 }
 
 /// The values of a parameter set, and the transition velocity of its force.
@@ -283,10 +291,9 @@ impl SetPair<'_> {
         let difference = |(l, r): (&Value, &Value)| {
             let [of_left, of_right] = four_significant_apart([l.number, r.number]);
             let what = format!("{} is {of_left} and {of_right}", l.property);
-            let times = (l.number / r.number).max(r.number / l.number);
             let is_velocity = l.property == Property::TransitionVelocity;
             let most = if is_velocity { SMALL_VELOCITY_RATIO } else { SMALL_RATIO };
-            sides.usual().difference((l, r), &what, (1.0..=most).contains(&times))
+            sides.usual().difference((l, r), &what, (1.0..=most).contains(&times_apart(l, r)))
         };
         differing.map(difference).collect()
     }

@@ -174,6 +174,11 @@ impl Finding {
         groups.values().filter_map(|cases| Self::join_cases(cases)).collect()
     }
 
+    /// The largest measure of findings with one code.
+    pub fn largest_measure<'f>(findings: impl Iterator<Item = &'f Self>) -> Option<&'f Measure> {
+        findings.filter_map(|one| one.measure.as_ref()).max_by(|a, b| a.size.total_cmp(&b.size))
+    }
+
     /// One finding of all `cases`, with the place and the line of the first, and a sentence for each.
     pub fn join_cases(cases: &[Self]) -> Option<Self> {
         let mut joined = cases.first()?.clone();
@@ -181,6 +186,7 @@ impl Finding {
             joined.places = cases.iter().flat_map(Self::paths).cloned().collect();
             joined.message.push(format!(" (and {} more)", cases.len() - 1));
             joined.details = cases.iter().flat_map(Self::sentences).collect();
+            joined.measure = Self::largest_measure(cases.iter()).cloned();
         }
         Some(joined)
     }

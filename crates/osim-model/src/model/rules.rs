@@ -34,7 +34,7 @@ pub(crate) fn mass_sources_disagree(
         "contacts are taken as made for {} kg ({}), but {} says {} kg";
         readable(taken_kg), taken, source, readable(kg)
     ];
-    Finding::new(&MASS_SOURCES_DISAGREE, message)
+    Finding::new(&MASS_SOURCES_DISAGREE, message).with_measure((taken_kg / kg).ln().abs(), "")
 }
 
 /// The remark that the bodies do not yet have the mass that the caller gave and for which the contacts are made.
@@ -44,7 +44,8 @@ pub(crate) fn bodies_not_scaled(bodies_kg: f64, contacts_kg: f64) -> Finding {
         readable(bodies_kg),
         readable(contacts_kg)
     );
-    Finding::new(&MASS_SOURCES_DISAGREE, message).with_severity(Severity::Remark)
+    let finding = Finding::new(&MASS_SOURCES_DISAGREE, message).with_severity(Severity::Remark);
+    finding.with_measure((bodies_kg / contacts_kg).ln().abs(), "")
 }
 
 impl Model {

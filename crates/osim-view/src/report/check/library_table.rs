@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use osim_inspect::{CheckResult, Counts};
 use osim_model::messages::{Input, Verb, counted, listed, one_line, shown_whole};
-use osim_model::{FindingCode, Severity};
+use osim_model::{Finding, FindingCode, Severity};
 use osim_requests::options::OutputOptions;
 use osim_requests::spell::FrontEnd;
 use osim_requests::{CheckRequest, Request};
@@ -38,8 +38,8 @@ pub struct LibraryTable {
 #[derive(Debug, Default)]
 struct FoundInModels {
     models: usize,
-    /// The worst of these models: the size of the fault, this size in words if there are words for it, and the name of the model.
-    worst: (f64, String, String),
+    /// The worst of these models: the size of the fault and the number of its places, this size in words or empty, and the model's name.
+    worst: ((f64, usize), String, String),
 }
 
 /// The folder for results in a command that is proposed for many models, unless a folder of this name is there.
@@ -64,11 +64,11 @@ impl LibraryTable {
             let Some(first) = alike.first() else { continue };
             let kind = self.codes.entry((Reverse(first.severity), first.code())).or_default();
             kind.models += 1;
-            let sizes = alike.iter().filter_map(|finding| finding.measure.as_ref());
-            let largest = sizes.max_by(|a, b| a.size.total_cmp(&b.size));
-            let (size, text) = largest.map_or((0.0, ""), |measure| (measure.size, &measure.text));
-            if kind.models == 1 || size > kind.worst.0 {
-                kind.worst = (size, text.to_owned(), found.model.clone());
+            let largest = Finding::largest_measure(alike.iter().map(|one| &one.finding));
+            let (size, text) = largest.map_or((f64::NEG_INFINITY, ""), |one| (one.size, &one.text));
+            let places = alike.iter().map(|one| one.paths().count().max(one.spheres.len())).sum::<usize>();
+            if kind.models == 1 || (size, places) > kind.worst.0 {
+                kind.worst = ((size, places), text.to_owned(), found.model.clone());
             }
         }
         if found.findings.iter().any(|finding| finding.code() == FindingCode::BareModel) {
