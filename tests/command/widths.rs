@@ -75,6 +75,38 @@ fn outputs_fit_terminals_of_60_80_and_120_columns() {
     );
 }
 
+/// Only names that are longer than a line are cut, and they stay different.
+#[test]
+fn at_60_columns_numbers_and_codes_of_a_folder_are_whole() {
+    let names = [1, 2].map(|number| format!("s/{}_{number}.osim", "a".repeat(60)));
+    let dir = TestDir::with(&[
+        ("scale_tool/scaled_smooth.osim", names[0].as_str()),
+        ("check/floats.osim", names[1].as_str()),
+    ]);
+    let (out, _) = terminal_output(dir.command("check s"), 60);
+    let (before, after) = ("a".repeat(25), "a".repeat(19));
+    let [one, two] = [1, 2].map(|number| format!("        {before}~{after}_{number}.osim"));
+    let table = format!(
+        "\
+models  finding                              worst
+     1  error    floats
+{two}
+     1  warning  large-constant-indentation
+{two}
+     1  warning  force-before-contact
+{two}
+     1  warning  contacts-of-another-mass
+        62 for 52 kg,
+{one}
+     1  remark   not-on-floor
+{one}
+     1  remark   spheres-not-compared
+{one}
+"
+    );
+    assert!(out.contains(&table), "{out}");
+}
+
 #[test]
 fn fix_does_what_check_prints_and_ends_with_the_status_of_the_result() {
     let dir = folder_of_models();

@@ -280,7 +280,7 @@ impl TextTable {
 
 /// Names in at most `width` columns. They are cut in the middle so that different names stay different; if no cut does this, they are
 /// longer.
-fn cut_names(names: &[&str], width: usize) -> Vec<String> {
+pub(crate) fn cut_names(names: &[&str], width: usize) -> Vec<String> {
     let different = names.iter().collect::<HashSet<_>>().len();
     let longest = names.iter().map(|name| name.chars().count()).max().unwrap_or_default();
     for width in width..longest {

@@ -10,10 +10,10 @@ use osim_model::{Finding, FindingCode, Severity};
 use osim_requests::options::OutputOptions;
 use osim_requests::spell::FrontEnd;
 use osim_requests::{CheckRequest, Request};
+use textwrap::core::display_width;
 
-use crate::report::check::part_of_all;
 use crate::report::extent::Layout;
-use crate::report::layout::{sign, table, wrapped_with_path};
+use crate::report::layout::{cut_names, sign, table, wrapped_with_path};
 use crate::report::messages::{NO_CONTACTS_CELL, failure_in_cell};
 
 /// The results of checking all models of a call, collected for one table.
@@ -119,9 +119,7 @@ impl LibraryTable {
         }
         text.push('\n');
         if !self.codes.is_empty() {
-            let table = self.table(&folder, layout);
-            let rows = table.lines().map(|line| format!("{}\n", line.strip_prefix(' ').unwrap_or(line)));
-            text.push_str(&painted_rows(&rows.collect::<String>(), layout));
+            text.push_str(&self.table(&folder, layout));
         }
         if self.call.fix {
             let folder = self.call.output_dir.as_ref().map(|folder| format!(" into {}", folder.display()));
@@ -195,16 +193,33 @@ impl LibraryTable {
         })
     }
 
+    /// The table. The worst model is beside its row, or below the severity if the line has no room: numbers and codes are never cut.
     fn table(&self, folder: &str, layout: Layout) -> String {
-        let mut table = table(&["models", "finding", "", "worst"]);
+        let mut table = table(&["models", "finding", ""]);
+        let mut names = Vec::new();
         for ((Reverse(severity), code), found) in &self.codes {
-            let (_, size, model) = &found.worst;
-            let model = Path::new(model).strip_prefix(folder).unwrap_or(Path::new(model)).display();
-            let worst = if size.is_empty() { model.to_string() } else { format!("{size}, {model}") };
-            table.add_row([&found.models.to_string(), severity.as_str(), code.as_str(), &worst]);
+            table.add_row([&found.models.to_string(), severity.as_str(), code.as_str()]);
+            let model = Path::new(&found.worst.2);
+            names.push(one_line(model.strip_prefix(folder).unwrap_or(model).display().to_string()));
         }
         table.right_aligned(&[0]);
-        table.into_lines(layout.columns.map(|columns| columns + 1))
+        let (table, columns) = (table.trim_fmt(), layout.columns.unwrap_or(usize::MAX));
+        let mut rows = table.lines().map(|row| row.strip_prefix(' ').unwrap_or(row));
+        let width = rows.clone().map(display_width).max().unwrap_or_default();
+        let names: Vec<&str> = names.iter().map(String::as_str).collect();
+        let names = cut_names(&names, columns.saturating_sub(8));
+        let mut text = format!("{:width$}  worst\n", rows.next().unwrap_or_default());
+        for ((((Reverse(severity), _), found), row), name) in self.codes.iter().zip(rows).zip(&names) {
+            let size = &found.worst.1;
+            let worst = if size.is_empty() { name.clone() } else { format!("{size}, {name}") };
+            let row = match columns.saturating_sub(display_width(&worst)) {
+                room if room >= width + 2 => format!("{row:width$}  {worst}\n"),
+                room if room >= 8 || size.is_empty() => format!("{row}\n{:8}{worst}\n", ""),
+                _ => format!("{row}\n{:8}{size},\n{:8}{name}\n", "", ""),
+            };
+            text.push_str(&row.replacen(severity.as_str(), &sign(*severity, layout.colour), 1));
+        }
+        text
     }
 
     /// A sentence about the models that were not checked.
@@ -227,15 +242,13 @@ impl LibraryTable {
     }
 }
 
-/// The rows with the words for severities in their colours.
-fn painted_rows(text: &str, layout: Layout) -> String {
-    let mut out = String::new();
-    for line in text.split_inclusive('\n') {
-        let word = line.split_ascii_whitespace().nth(1).unwrap_or_default();
-        match [Severity::Error, Severity::Warning].into_iter().find(|level| level.as_str() == word) {
-            Some(found) => out.push_str(&line.replacen(word, &sign(found, layout.colour), 1)),
-            None => out.push_str(line),
-        }
+/// "Some of all" findings or models in words: `a part`, `it`, `both`, `all 3` or `2 of 3`.
+pub(super) fn part_of_all(some: usize, all: usize) -> String {
+    match (some, all) {
+        (0, _) => "a part".to_owned(),
+        (_, 1) => "it".to_owned(),
+        (2, 2) => "both".to_owned(),
+        (some, all) if some == all => format!("all {all}"),
+        (some, all) => format!("{some} of {all}"),
     }
-    out
 }

@@ -13,6 +13,7 @@ use crate::report::extent::Layout;
 use crate::report::layout::{csv_text, sign, wrapped_with_path};
 use crate::report::similarity;
 
+use library_table::part_of_all;
 pub use library_table::{LibraryTable, RESULTS_FOLDER};
 
 /// Columns of a terminal before the words of a row.
@@ -212,17 +213,6 @@ fn headline(found: &CheckResult, rows: &VerdictRows<'_>) -> String {
         }
         (0, remarks) => format!("{}{known}", counted(remarks, "remark")),
         (warnings, _) => format!("{}{known}", counted(warnings, "warning")),
-    }
-}
-
-/// "Some of all" findings or models in words: `a part`, `it`, `both`, `all 3` or `2 of 3`.
-fn part_of_all(some: usize, all: usize) -> String {
-    match (some, all) {
-        (0, _) => "a part".to_owned(),
-        (_, 1) => "it".to_owned(),
-        (2, 2) => "both".to_owned(),
-        (some, all) if some == all => format!("all {all}"),
-        (some, all) => format!("{some} of {all}"),
     }
 }
 
