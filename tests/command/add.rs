@@ -72,6 +72,38 @@ fn a_constant_contact_force_of_0_is_not_copied_from_a_reference() {
 }
 
 #[test]
+fn a_model_with_one_leg_is_told_which_forces_to_choose() {
+    let dir = TestDir::with(&[
+        (HUMAN, "bare.osim"),
+        ("scale_tool/generic_smooth.osim", "smooth.osim"),
+        ("scale_tool/generic_hunt_crossley.osim", "feet.osim"),
+    ]);
+    dir.write("one.osim", dir.text("bare.osim").replace("calcn_l", "stump").replace("toes_l", "tip"));
+    let renamed = |text: String, [right, left]: [&str; 2], now: [&str; 2]| {
+        ["heel", "ball", "toe"].iter().fold(text, |text, part| {
+            let name = |pattern: &str| pattern.replace("PART", part);
+            text.replace(&name(right), &name(now[0])).replace(&name(left), &name(now[1]))
+        })
+    };
+    let with_forces = |now| renamed(dir.text("smooth.osim"), ["contact_PART_r", "contact_PART_l"], now);
+    for (reference, pattern) in [
+        (with_forces(["contact_PART_r", "contact_PART_l"]), "*_r"),
+        (with_forces(["grf_r_PART", "grf_l_PART"]), "*_r*"),
+        (with_forces(["r_PART", "l_PART"]), "r_*"),
+        (with_forces(["RightPART", "LeftPART"]), "*[Rr]ight*"),
+        (with_forces(["PART1", "PART2"]), "{heel1,ball1,toe1}"),
+        // The force of a foot presses three spheres whose names do not end with the side.
+        (renamed(dir.text("feet.osim"), ["PART_r", "PART_l"], ["r_PART", "l_PART"]), "*_r"),
+    ] {
+        dir.write("reference.osim", reference);
+        let call = "add one.osim --from reference.osim";
+        let hint = format!("or leave them out with --reference-select \"{pattern}\"");
+        dir.run(&format!("{call} -o out.osim")).failed().wrote_nothing().says(&[hint.as_str()]);
+        dir.run(&format!("{call} --reference-select {pattern} -o out.osim --force")).succeeded();
+    }
+}
+
+#[test]
 fn add_keeps_contacts_of_other_bodies() {
     let dir = human_with_contacts_and_ball();
     let call = "add with.osim --from falisse2022 --contacts own.csv --spheres 2 -o out.osim";

@@ -61,7 +61,7 @@ pub enum FaultKind {
     ContactsExist { forces: String, can_scale: bool },
     /// Bodies that carry spheres in the reference do not exist in the model. `others` is a pattern that matches only the reference's forces
     /// whose spheres are on bodies of the model, if there is such a pattern.
-    MissingCarriers { bodies: Vec<String>, others: Option<&'static str> },
+    MissingCarriers { bodies: Vec<String>, others: Option<String> },
     /// The element at `path` is in another file that the model includes.
     IncludedFile { path: String, file: String },
     /// The parameters of the force are those in `<defaults>`, which may serve other forces too.
@@ -177,7 +177,7 @@ impl FaultKind {
                 ];
                 if let Some(pattern) = others {
                     text.push(", or leave them out with ");
-                    text.push(Input::ReferenceSelect.with_value(*pattern));
+                    text.push(Input::ReferenceSelect.with_value(pattern));
                 }
                 text
             }

@@ -177,7 +177,12 @@ fn whole_reference(
     anatomy.is_fragment = !is_file;
     let planner = crate::verbs::transfer::planner(transfer, reference, Some(generic.clone()));
     let maps = request.body_map.clone();
-    Ok((FromReference { layout, anatomy, planner, generic, maps }, state, is_file, remarks))
+    let forces = model.forces().iter().map(|force| {
+        let moving = force.spheres().iter().filter_map(|&id| model.sphere(id)).filter(|sphere| !sphere.fixed);
+        (force.name.clone(), moving.map(|sphere| sphere.name.clone()).collect::<Vec<_>>())
+    });
+    let forces = forces.filter(|(_, spheres)| !spheres.is_empty()).collect();
+    Ok((FromReference { layout, anatomy, planner, generic, maps, forces }, state, is_file, remarks))
 }
 
 /// Reads a reference that gives only the numbers of the contacts.

@@ -174,6 +174,8 @@ pub(super) struct FromReference {
     pub(super) generic: GenericModel,
     /// The caller's map from bodies of the reference to bodies of the models.
     pub(super) maps: Vec<BodyMap>,
+    /// The names of all forces of the reference, each with the names of its moving spheres. The force of a new contact may have another.
+    pub(super) forces: Vec<(String, Vec<String>)>,
 }
 
 impl FromReference {
@@ -197,17 +199,31 @@ impl FromReference {
         Ok((plan, rebuilt))
     }
 
-    /// A pattern that fits the forces of spheres on bodies which the model has, and no force of a sphere on one of the bodies `missing`.
-    fn pattern_of_others(&self, missing: &BTreeSet<&str>) -> Option<&'static str> {
-        const SIDES: [&str; 6] = ["*_r", "*_l", "*_right", "*_left", "r_*", "l_*"];
-        let fits = |text: &&str| {
+    /// A pattern that chooses the forces of spheres on bodies which the model has, and no other force of the reference: one for a side, or
+    /// their names. `None` if no choice of forces leaves out the spheres on the bodies `missing` and no others.
+    fn pattern_of_others(&self, missing: &BTreeSet<&str>) -> Option<String> {
+        const SIDES: [&str; 10] =
+            ["*_r", "*_l", "*[Rr]ight*", "*[Ll]eft*", "*_r*", "*_l*", "r_*", "l_*", "R*", "L*"];
+        let kept = self.layout.contacts.iter().filter(|contact| !missing.contains(contact.body.as_str()));
+        let kept: HashSet<&str> = kept.map(|contact| contact.sphere.as_str()).collect();
+        let are_kept = |spheres: &[String]| spheres.iter().all(|sphere| kept.contains(sphere.as_str()));
+        let (chosen, left): (Vec<_>, Vec<_>) = self.forces.iter().partition(|(_, spheres)| are_kept(spheres));
+        // One force may press spheres of both sides; and a mirrored sphere has no force in the reference.
+        let is_choice = self.layout.contacts.iter().all(|contact| {
+            let forces = if kept.contains(contact.sphere.as_str()) { &chosen } else { &left };
+            forces.iter().any(|(_, spheres)| spheres.contains(&contact.sphere))
+        });
+        let names: Vec<&str> = chosen.iter().map(|(name, _)| name.as_str()).collect();
+        if names.is_empty() || !is_choice {
+            return None;
+        }
+        let chooses = |text: &String| {
             let Ok(pattern) = text.parse::<Pattern>() else { return false };
-            let mut contacts = self.layout.contacts.iter();
-            contacts.clone().any(|contact| pattern.matches(&contact.force))
-                && contacts
-                    .all(|contact| pattern.matches(&contact.force) != missing.contains(contact.body.as_str()))
+            names.iter().all(|name| pattern.matches(name))
+                && !left.iter().any(|(name, _)| pattern.matches(name))
         };
-        SIDES.into_iter().find(fits)
+        let all_names = format!("{{{}}}", names.join(","));
+        SIDES.into_iter().map(str::to_owned).chain([all_names]).find(chooses)
     }
 
     /// Refuses a model without one of the bodies that get spheres.
