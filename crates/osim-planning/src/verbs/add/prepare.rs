@@ -181,7 +181,8 @@ fn whole_reference(
         let moving = force.spheres().iter().filter_map(|&id| model.sphere(id)).filter(|sphere| !sphere.fixed);
         (force.name.clone(), moving.map(|sphere| sphere.name.clone()).collect::<Vec<_>>())
     });
-    let forces = forces.filter(|(_, spheres)| !spheres.is_empty()).collect();
+    // A mirrored sphere has no force in the reference that could be left out.
+    let forces = forces.filter(|(_, spheres)| !spheres.is_empty() && request.mirror.is_none()).collect();
     Ok((FromReference { layout, anatomy, planner, generic, maps, forces }, state, is_file, remarks))
 }
 

@@ -174,7 +174,8 @@ pub(super) struct FromReference {
     pub(super) generic: GenericModel,
     /// The caller's map from bodies of the reference to bodies of the models.
     pub(super) maps: Vec<BodyMap>,
-    /// The names of all forces of the reference, each with the names of its moving spheres. The force of a new contact may have another.
+    /// The names of all forces of the reference, each with the names of its moving spheres; none if spheres are mirrored. The force of a new
+    /// contact may have another name.
     pub(super) forces: Vec<(String, Vec<String>)>,
 }
 
@@ -208,7 +209,7 @@ impl FromReference {
         let kept: HashSet<&str> = kept.map(|contact| contact.sphere.as_str()).collect();
         let are_kept = |spheres: &[String]| spheres.iter().all(|sphere| kept.contains(sphere.as_str()));
         let (chosen, left): (Vec<_>, Vec<_>) = self.forces.iter().partition(|(_, spheres)| are_kept(spheres));
-        // One force may press spheres of both sides; and a mirrored sphere has no force in the reference.
+        // One force may press spheres of both sides.
         let is_choice = self.layout.contacts.iter().all(|contact| {
             let forces = if kept.contains(contact.sphere.as_str()) { &chosen } else { &left };
             forces.iter().any(|(_, spheres)| spheres.contains(&contact.sphere))
