@@ -98,7 +98,7 @@ fn models_with_the_same_name_get_a_folder_of_results_each() {
     assert_eq!(printed_commands(&out), expected);
     // There would be too many commands.
     dir.run("check s1 s2 s3 s4 s5 s6 --from generic.osim")
-        .says(&["6 models, all with errors\n", "What to do: check one folder that holds all these models"])
+        .says(&["6 models, all with errors\n", "What to do: rename models, or check fewer at a time"])
         .says_not(&["RESULTS"]);
 }
 

@@ -83,7 +83,8 @@ impl Survey<'_> {
         ReportPage::begin(path, self.report.force, head, failures, self.words).map(Some)
     }
 
-    /// Refuses one output for several models, a file as their folder, and several results that exist already and may not be replaced.
+    /// Refuses one output for several models, a file as their folder, several results that exist already and may not be replaced, results
+    /// of one name, and results with the name of an input.
     fn refuse_outputs<'p>(&'p self, call: &CheckRequest, conflicts: &mut PathConflicts<'p>) -> Result<()> {
         let (models, output) = (&self.sources.models, call.output());
         if models.len() > 1 && output.output.is_some() {

@@ -103,9 +103,10 @@ fn axes_and_origin(placement: &Placement) -> [[f64; 3]; 4] {
     [x, y, z, placement.translation_m].map(DVec3::into)
 }
 
-/// The force in body weights and the relative indentation of each sphere, if the body stands on all its spheres.
+/// The force in body weights and the relative indentation of each sphere.
 type SphereLoads = HashMap<SphereId, (f64, f64)>;
 
+/// Computes the loads of the spheres of a body that stands on all of them.
 fn loads_at_rest(model: &Model, forces: &[ForceId], options: &InspectOptions) -> SphereLoads {
     let mut loads = HashMap::new();
     // The contacts may be made for another mass than the bodies have before they are scaled.

@@ -43,7 +43,7 @@ type ModelRule = (DependsOn, fn(&Model) -> Vec<Finding>);
 enum DependsOn {
     /// Numbers of contacts or the note, which a change can make different.
     Numbers,
-    /// The same, for the rules about sides and places: they also apply [`SIDE_RULES`], and find spheres in wrong places.
+    /// Numbers of contacts, too. The function applies [`SIDE_RULES`] besides the rules of its line, and finds spheres in wrong places.
     Sides,
     /// Only what models share that differ in such numbers: bodies, joints, constraints, names, other texts.
     Rest,

@@ -122,7 +122,7 @@ impl Request {
 }
 
 impl NoteDetails {
-    /// What the note records of a request for `verb` with these [`settings`](Request::settings).
+    /// Chooses what the note records of a request for `verb` with these [`settings`](Request::settings).
     pub fn of(verb: Verb, settings: &Map<String, Value>) -> Self {
         let others = [all_fields(&MassOptions::default()), all_fields(&SetFiles::default())];
         let is_elsewhere = |name: &str, value: &Value| match name {

@@ -46,8 +46,8 @@ struct FoundInModels {
 pub const RESULTS_FOLDER: &str = "RESULTS";
 
 /// What to do where no command is proposed, because its results would need too many folders.
-const EQUAL_NAMES: &str = "What to do: check one folder that holds all these models, or fewer at a time; \
-                           results of models with the same name do not fit into one folder";
+const EQUAL_NAMES: &str = "What to do: rename models, or check fewer at a time; results of models with the same name, \
+                           in upper or lower case, do not fit into one folder";
 
 impl LibraryTable {
     /// A table for the models of `call`. Proposed commands write into `result_folders`: one, or one for each path of the call. Without
