@@ -52,3 +52,11 @@ fn with_deny_the_exit_status_follows_from_the_worst_finding_in_the_result() {
     dir.run(&format!("{call} -o b.osim --deny warning")).failed().wrote(&["b.osim"]);
     dir.run("human.osim --target-mass 80 -o c.osim --deny warning").succeeded().wrote(&["c.osim"]);
 }
+
+#[test]
+fn a_preset_brings_no_faults_of_bones_that_it_lacks() {
+    let dir = TestDir::with(&[("check/known_contacts.osim", "falisse.osim")]);
+    let call = "transfer falisse.osim --from dhondt2024 --reference-sphere heel_r --radius x0.05 -o out.osim";
+    let out = dir.run(call).succeeded().out();
+    assert!(out.contains("warning: in the new model: radius of ") && out.contains("[odd-radius]"), "{out}");
+}

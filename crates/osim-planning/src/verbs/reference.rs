@@ -13,9 +13,9 @@ use osim_model::files::{Failure, Files, OpenModel};
 use osim_model::messages::{Input, phrase};
 use osim_model::{
     Anatomy, BoneLengths, CountedSpheres, Fault, FaultKind, Mass, MassRequest, MassSource, MissingFact,
-    Model, Selected, Selection, Suspicion, YesQuestion, implausible_mass,
+    Model, Selected, Selection, Severity, Suspicion, YesQuestion, implausible_mass,
 };
-use osim_patch::{Reference, reference_of_model};
+use osim_patch::{Reference, preset_model, reference_of_model};
 use osim_requests::{Acceleration, Count, Kilograms, TransferRequest};
 
 use crate::opening::{open, read_scale_file};
@@ -150,7 +150,13 @@ fn reference_state(
     let selection = Selection { select: options.reference_select.clone(), ..Selection::default() };
     let gravity = options.reference_gravity.map(Acceleration::get).or(reference.gravity_m_s2);
     let spheres = options.reference_spheres.map(Count::get);
-    ReferenceState::from_model(file_name(from), open, selection, (reference.mass.kg, spheres, gravity))
+    let on = (reference.mass.kg, spheres, gravity);
+    let mut state = ReferenceState::from_model(file_name(from), open, selection, on);
+    if from.to_str().and_then(preset_model).is_some() {
+        // It has only the bodies with spheres: warnings are about bones that it lacks.
+        state.findings.retain(|one| one.severity < Severity::Warning);
+    }
+    state
 }
 
 /// Reads the contacts of a model as a reference, with their gravity or why it is not known.
