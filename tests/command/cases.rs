@@ -202,6 +202,14 @@ fn spheres_that_leave_the_floor_are_refused_without_level() {
     let run = dir.run("model.osim --target-mass 8 -o out.osim").failed().wrote_nothing();
     assert!(run.err().contains("sunk-in"), "{}", run.err());
     dir.run("model.osim --target-mass 8 --level -o out.osim").succeeded();
+    // Also where the feet lean, so that lower spheres sink in before, too.
+    let model = dir.text("model.osim");
+    let (before, after) = model.split_once("name=\"pelvis_tilt\"").unwrap();
+    let leaning = after.replacen("<default_value>0<", "<default_value>0.1<", 1);
+    dir.write("leaning.osim", format!("{before}name=\"pelvis_tilt\"{leaning}"));
+    let run = dir.run("leaning.osim --target-mass 8 -o leaning8.osim").failed().wrote_nothing();
+    assert!(run.err().contains("sunk-in") && run.err().contains("with --level"), "{}", run.err());
+    dir.run("leaning.osim --target-mass 8 --level -o leaning8.osim").succeeded();
 }
 
 #[test]

@@ -54,9 +54,45 @@ fn with_deny_the_exit_status_follows_from_the_worst_finding_in_the_result() {
 }
 
 #[test]
-fn a_preset_brings_no_faults_of_bones_that_it_lacks() {
+fn what_the_caller_says_about_masses_was_not_in_the_file() {
     let dir = TestDir::with(&[("check/known_contacts.osim", "falisse.osim")]);
-    let call = "transfer falisse.osim --from dhondt2024 --reference-sphere heel_r --radius x0.05 -o out.osim";
+    let out = dir.run("note falisse.osim --contacts-mass 1 -o noted.osim").succeeded().out();
+    assert!(
+        out.contains(
+            "warning: in the new model: contacts are taken as made for 1 kg (note in the file), but the sum of"
+        ),
+        "{out}"
+    );
+    // The masses of the result are said once, with its own numbers.
+    dir.run("falisse.osim --target-mass 52 -o m52.osim").succeeded();
+    let out = dir.run("transfer m52.osim --from falisse.osim --mass 30 -o m30.osim").succeeded().out();
+    assert_eq!(out.matches("mass-sources-disagree").count(), 1, "{out}");
+    let remark =
+        "remark: in the new model: the bodies weigh 62 kg, and the contacts are for 30 kg: scale the bodies";
+    assert!(out.contains(remark), "{out}");
+}
+
+#[test]
+fn a_preset_brings_no_faults_of_bones_that_it_lacks() {
+    let dir = TestDir::with_human();
+    let call = "transfer human.osim --from dhondt2024 --reference-sphere heel_r --radius x0.05 -o out.osim";
     let out = dir.run(call).succeeded().out();
     assert!(out.contains("warning: in the new model: radius of ") && out.contains("[odd-radius]"), "{out}");
+}
+
+#[test]
+fn forces_that_were_not_chosen_are_judged_too_and_need_no_answer() {
+    let dir = TestDir::with(&[("scale_tool/generic_smooth.osim", "human.osim")]);
+    let out = dir.run("human.osim --target-mass 300 --select *_r -o right.osim").succeeded().out();
+    let finding = "error: in the new model: too soft: at body weight on one limb spheres sink 1.011 R into the \
+                   floor (x/R by Hertz) (3 of 6 spheres, most in heel_l) [sunk-in]";
+    assert!(out.contains(finding), "{out}");
+    let check = dir.run("check right.osim --mass 300").out();
+    assert!(check.contains("(3 of 6 spheres, most in heel_l)"), "{check}");
+    // The second half of the change.
+    let out = dir
+        .run("right.osim --target-mass 300 --contacts-mass 62 --select *_l -o both.osim")
+        .succeeded()
+        .out();
+    assert!(!out.contains("error: "), "{out}");
 }

@@ -3,7 +3,7 @@
 use std::collections::{HashMap, HashSet};
 
 use osim_inspect::{
-    Bottom, FindingIndex, FindingWithRemedy, InspectOptions, LoadSharing, SphereFigures, Stance,
+    Bottom, Figures, FindingIndex, FindingWithRemedy, InspectOptions, LoadSharing, SphereFigures, Stance,
     StandingBody, all_findings, check_without_remedies, describe_unmatched_patterns, sort_findings,
     without_effects,
 };
@@ -11,7 +11,7 @@ use osim_model::feet::{MOST_LEAN_RAD, PoseFault, Standing};
 use osim_model::files::{Failure, Files, OpenModel};
 use osim_model::messages::{Input, Phrase, Verb, phrase};
 use osim_model::{
-    Fault, Finding, FindingCode, Limb, Model, Property, Severity, Source, Suspicion, YesQuestion,
+    Fault, Finding, FindingCode, Limb, Model, Property, Selection, Severity, Source, Suspicion, YesQuestion,
     are_equal_masses, is_at_target, least_and_most,
 };
 use osim_patch::{ChangedBy, Plan, StepDetails};
@@ -82,24 +82,11 @@ impl PreparedChange {
         let weighs = masses.model_mass(&opened.model).ok();
         let weighs = weighs.or_else(|| Some(masses.contacts_mass(&opened.model).ok()?.0));
         let weighs_kg = weighs.map(|mass| mass.kg);
-        let options_before = self.options_before(plan);
-        let options_after = self.options_after(plan, weighs_kg);
-        let inspected = changed.map(|changed| options_after.inspect_for_rules(opened.name(), changed));
-        let after = changed
-            .zip(inspected.as_ref())
-            .map(|(changed, inspected)| all_findings(&options_after, changed, inspected));
-        let inspected_before = match &after {
-            Some(after) => options_before.inspect_to_compare(opened.name(), &opened.model, after),
-            None => options_before.inspect_for_rules(opened.name(), &opened.model),
+        let chosen = [self.options_before(plan), self.options_after(plan, weighs_kg)];
+        let (judged, figures) = self.findings_of_result(&chosen, opened, changed);
+        let is_sunk_in = |one: &&Finding| {
+            one.code() == FindingCode::SunkIn && !(one.had_before && one.severity == Severity::Error)
         };
-        // With what only follows from other findings: where these are gone, the rest is not new.
-        let before = all_findings(&options_before, &opened.model, &inspected_before);
-        let after = after.unwrap_or_else(|| before.clone());
-        let (after, _) = without_effects(changed.unwrap_or(&opened.model), after);
-        let reference = self.reference.as_ref().map_or(&[][..], |reference| &reference.findings);
-        let mut judged = findings_of_result(&before, &sort_findings(after), reference);
-        judged.iter_mut().for_each(|one| self.keep_ways_out(&mut one.message));
-        let is_sunk_in = |one: &&Finding| !one.had_before && one.code() == FindingCode::SunkIn;
         // Contacts are scaled before the bodies, which then still have another mass. The default pose of the scaled bodies is not known, and
         // a warning about the present pose would come with every rescaling to another mass.
         let is_other = |target| weighs_kg.is_none_or(|weighs| !are_equal_masses(weighs, target));
@@ -119,9 +106,10 @@ impl PreparedChange {
         // not sink in: else they hung lower before.
         let has_parted = !moved.uneven.is_empty();
         let is_known = self.reference.as_ref().is_some_and(|reference| reference.figures.is_some());
-        let is_reference_right = is_known && reference.iter().all(|one| one.code() != FindingCode::SunkIn);
-        let mut figures = inspected.iter().flat_map(|inspected| inspected.figures.spheres());
-        let is_too_soft = figures.any(SphereFigures::is_in_to_centre);
+        let is_reference_right =
+            is_known && self.findings_of_reference().iter().all(|one| one.code() != FindingCode::SunkIn);
+        let mut spheres = figures.iter().flat_map(Figures::spheres);
+        let is_too_soft = spheres.any(SphereFigures::is_in_to_centre);
         let is_wrong = |one: &&Finding| {
             let is_error = one.severity == Severity::Error && !one.had_before;
             match is_sunk_in(one) {
@@ -136,6 +124,15 @@ impl PreparedChange {
             self.keep_ways_out(&mut question.message);
             return Err(question);
         }
+        // Forces that were not chosen are judged, too, and nobody is asked about them: they may be the next change.
+        let all = Selection::default();
+        let judged = match chosen[0].selection != all && all.apply(&opened.model).is_ok() {
+            true => {
+                let all = chosen.map(|options| InspectOptions { selection: all.clone(), ..options });
+                self.findings_of_result(&all, opened, changed).0
+            }
+            false => judged,
+        };
         let cases: HashSet<_> = judged.iter().flat_map(cases_of).collect();
         plan.findings.retain(|own| !cases_of(own).all(|case| cases.contains(&case)));
         if awaits {
@@ -145,12 +142,71 @@ impl PreparedChange {
             // A foot is called uneven once.
             moved.uneven.clear();
         }
-        let all = judged.into_iter().map(about_new_model).chain(moved.off_floor).chain(moved.uneven);
+        // Where a foot leans the pose decides which of its spheres is low.
+        let uneven = moved.uneven.into_iter().filter(|(_, leans)| !leans).map(|(finding, _)| finding);
+        let all = judged.into_iter().map(about_new_model).chain(moved.off_floor).chain(uneven);
         plan.findings.extend(all.map(|mut finding| {
             self.keep_ways_out(&mut finding.message);
             finding
         }));
         Ok(())
+    }
+
+    /// The findings of `check` about the `changed` model, inspected with the options for the old and for the new model. Each is marked if
+    /// the old model or the reference has it. Also the figures of the new model; `None` means that the model stays as it was.
+    fn findings_of_result(
+        &self,
+        [options_before, options_after]: &[InspectOptions; 2],
+        opened: &OpenModel,
+        changed: Option<&Model>,
+    ) -> (Vec<Finding>, Option<Figures>) {
+        let inspected = changed.map(|changed| options_after.inspect_for_rules(opened.name(), changed));
+        let after = changed
+            .zip(inspected.as_ref())
+            .map(|(changed, inspected)| all_findings(options_after, changed, inspected));
+        let inspected_before = match &after {
+            Some(after) => options_before.inspect_to_compare(opened.name(), &opened.model, after),
+            None => options_before.inspect_for_rules(opened.name(), &opened.model),
+        };
+        // With what only follows from other findings: where these are gone, the rest is not new.
+        let mut before = all_findings(options_before, &opened.model, &inspected_before);
+        let after = after.unwrap_or_else(|| before.clone());
+        let (after, _) = without_effects(changed.unwrap_or(&opened.model), after);
+        if after.iter().any(|one| one.severity == Severity::Error) {
+            // A cause is as severe as what follows from it.
+            before.extend(without_effects(&opened.model, before.clone()).0);
+        }
+        // The worst of a kind is first.
+        let judged = self.mark_known(&sort_findings(before), &sort_findings(after));
+        (judged, inspected.map(|inspected| inspected.figures))
+    }
+
+    /// The findings `after` a change. Each is marked if the model had it `before`, or the reference has it.
+    fn mark_known(&self, before: &[FindingWithRemedy], after: &[FindingWithRemedy]) -> Vec<Finding> {
+        let index = FindingIndex::new(before);
+        // Contacts that no longer are those of a publication are not worse.
+        let keeps_contacts = self.reference.is_none();
+        let had = |one: &FindingWithRemedy| {
+            // A finding with another code in the same place is not new, either.
+            let was = index.find_same_or_other_depth(one);
+            let is_known = |code| code != one.code() || index.has_all_places(one);
+            was.filter(|was| is_known(was.code())).is_some_and(|was| match was.code() == one.code() {
+                false => was.rule.severity >= one.rule.severity,
+                // Masses differ in another way where other numbers are said.
+                true if one.code() == FindingCode::MassSourcesDisagree => was.message == one.message,
+                true => was.severity >= one.severity || (was.is_published && keeps_contacts),
+            })
+            // An error of the reference is new in a model that has none.
+            || (one.severity < Severity::Error
+                && self.findings_of_reference().iter().any(|was| was.code() == one.code() && was.severity >= one.severity))
+        };
+        let judged = |one: &FindingWithRemedy| Finding { had_before: had(one), ..one.finding.clone() };
+        after.iter().map(judged).collect()
+    }
+
+    /// The findings about the reference, if the contacts come from one.
+    fn findings_of_reference(&self) -> &[FindingWithRemedy] {
+        self.reference.as_ref().map_or(&[], |reference| &reference.findings)
     }
 
     /// Whether the contacts are judged under the target mass instead of the mass of the bodies.
@@ -181,31 +237,12 @@ impl PreparedChange {
         let mut options = self.options.clone();
         if let Some(masses) = plan.masses.as_ref().filter(|_| self.is_for_target_mass()) {
             options.masses.model_kg = Some(masses.contacts_mass.kg);
+        } else {
+            // What the caller says now was not in the file.
+            options.masses.contacts_mass_kg = None;
         }
         options
     }
-}
-
-/// The findings `after` a change. Each is marked if the model had it `before`, or the `reference` has it.
-fn findings_of_result(
-    before: &[FindingWithRemedy],
-    after: &[FindingWithRemedy],
-    reference: &[FindingWithRemedy],
-) -> Vec<Finding> {
-    let index = FindingIndex::new(before);
-    let had = |one: &FindingWithRemedy| {
-        // A finding with another code in the same place is not new: contacts that no longer are those of a published model are not
-        // worse.
-        let was = index.find_same_or_other_depth(one);
-        let is_known = |code| code != one.code() || index.has_all_places(one);
-        was.filter(|was| is_known(was.code()))
-            .is_some_and(|was| was.code() == one.code() || was.rule.severity >= one.rule.severity)
-            // An error of the reference is new in a model that has none.
-            || (one.severity < Severity::Error
-                && reference.iter().any(|was| was.code() == one.code() && was.severity >= one.severity))
-    };
-    let judged = |one: &FindingWithRemedy| Finding { had_before: had(one), ..one.finding.clone() };
-    after.iter().map(judged).collect()
 }
 
 /// A key for each place of a finding. If two findings have a key in common, they are about the same fault at the same place.
@@ -275,8 +312,8 @@ const STANDING_DISTANCE_RADII: f64 = 0.5;
 struct MovedBottoms {
     /// Findings about bodies that stood at their default pose before the change, and do not stand after it.
     off_floor: Vec<Finding>,
-    /// Findings about limbs whose bottoms the change moves apart.
-    uneven: Vec<Finding>,
+    /// Findings about limbs whose bottoms the change moves apart, each with whether the limb leans.
+    uneven: Vec<(Finding, bool)>,
 }
 
 impl MovedBottoms {
@@ -324,8 +361,8 @@ impl<'m> BodiesOverFloor<'m> {
         })
     }
 
-    /// Findings about limbs whose bottoms are less level than `before` the change.
-    fn uneven_limbs(&self, before: &Self) -> Vec<Finding> {
+    /// Findings about limbs whose bottoms are less level than `before` the change, each with whether the limb leans.
+    fn uneven_limbs(&self, before: &Self) -> Vec<(Finding, bool)> {
         let (old, new) = (before.bottoms_by_path(), self.bottoms_by_path());
         let pair = |path: &str| Some((*old.get(path)?, *new.get(path)?));
         let limbs = self.sharing.limbs.if_known().unwrap_or_default().iter();
@@ -345,8 +382,8 @@ fn stands_no_longer(before: &StandingBody, after: &StandingBody) -> bool {
     stood && is_off && (is.height_m - was.height_m).abs() > SMALL_MOVE_RADII * is.radius_m
 }
 
-/// The finding about a limb whose bottoms a change moves apart; `bottoms` has each before and after the change.
-fn uneven_limb(limb: &str, bottoms: &[(&Bottom, &Bottom)]) -> Option<Finding> {
+/// The finding about a limb whose bottoms a change moves apart, with whether the limb leans. `bottoms` has each before and after it.
+fn uneven_limb(limb: &str, bottoms: &[(&Bottom, &Bottom)]) -> Option<(Finding, bool)> {
     let spread = |height_m: fn(&(&Bottom, &Bottom)) -> f64| {
         let (least_m, most_m) = least_and_most(bottoms.iter().map(height_m));
         most_m - least_m
@@ -357,10 +394,9 @@ fn uneven_limb(limb: &str, bottoms: &[(&Bottom, &Bottom)]) -> Option<Finding> {
     let lowest = bottoms.iter().map(|(_, is)| *is).min_by(by_height)?;
     let highest = bottoms.iter().map(|(_, is)| *is).max_by(by_height)?;
     let small_m = SMALL_MOVE_RADII * lowest.radius_m;
-    // Where a foot leans the pose decides which of its spheres is low.
     let leans = bottoms.iter().any(|(_, is)| is.tilt_rad > MOST_LEAN_RAD);
-    let is_uneven = moved_m > small_m && now_m - before_m > small_m && !leans;
-    is_uneven.then(|| rules::bottoms_moved_of_limb(limb, before_m, lowest, highest))
+    let is_uneven = moved_m > small_m && (leans || now_m - before_m > small_m);
+    is_uneven.then(|| (rules::bottoms_moved_of_limb(limb, before_m, lowest, highest), leans))
 }
 
 /// The joint trees with spheres over a floor, each standing on one limb alone, and the limbs of the model.

@@ -262,7 +262,6 @@ impl TransferPlanner {
             refuse_repetition(model, &operation, self.may_repeat)?;
         }
         let target_mass = self.masses.model_mass(model)?;
-        findings.extend(self.masses.disagreements(model, &target_mass, None));
         let mut wanted = Transfer::new(reference.clone(), target_mass, in_model);
         wanted.reference.sphere_count = in_reference;
         wanted.counts_cancel = only_ratio_known;

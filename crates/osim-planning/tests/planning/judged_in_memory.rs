@@ -10,7 +10,7 @@ use osim_inspect::{
 use osim_model::files::{Files, OpenModel};
 use osim_model::messages::Verb;
 use osim_model::{
-    FileId, Finding, FindingCode, Force, Model, Severity, Sphere, Value as Number, YesQuestion,
+    FileId, Finding, FindingCode, Force, Model, Selection, Severity, Sphere, Value as Number, YesQuestion,
 };
 use osim_patch::Plan;
 use osim_planning::scene::Scene;
@@ -200,6 +200,9 @@ fn assert_same_findings(change: &PreparedChange, plan: &Plan, changed: &Model, w
         return;
     }
     let mut options = change.options.clone();
+    // Forces that were not chosen are judged, too.
+    let all = Selection::default();
+    options.selection = if all.apply(changed).is_ok() { all } else { options.selection };
     options.masses.contacts_mass_kg = None;
     options.stance.gravity_m_s2 = change.target_gravity_m_s2.or(options.stance.gravity_m_s2);
     if let Some(masses) = plan.masses.as_ref().filter(|_| change.verb == Verb::Rescale) {
