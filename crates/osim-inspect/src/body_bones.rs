@@ -94,14 +94,12 @@ impl BodyBones {
         self.bone_of_body(body)?.size
     }
 
-    /// The length of `body` over the length of OpenSim's calcaneus, as the joint to the toes shows it.
-    pub(crate) fn length_by_toe_joint(&self, body: &str) -> Option<f64> {
-        if !has_word(body, "calc") {
-            return None;
-        }
-        let mut below = self.anatomy.joints_below(body);
-        let toes = below.find(|joint| has_word(&joint.child, "toe"))?;
-        Some(toes.in_parent_m[0] / TOES_BEGIN_X_M).filter(|factor| PLAUSIBLE_FACTORS.contains(factor))
+    /// The distance from the origin of `body` to the next joint of its foot, or, where no bone follows, to the joint above, m. Skeletons
+    /// without meshes have it, too. `None` if the origin is at the joint.
+    pub(crate) fn length_by_joints(&self, body: &str) -> Option<f64> {
+        let next_m = self.farthest_joint(body).map(|next| next.in_parent_m);
+        let length_m = next_m.or(self.joint_above(body).map(|above| above.in_child_m))?.length();
+        (length_m > 0.0).then_some(length_m)
     }
 
     /// How far `place_m`, in the frame of the calcaneus `body`, is ahead of the ankle, m.

@@ -27,11 +27,22 @@ struct PublishedLayout {
     /// The publication of the layout, with its licence.
     #[cfg_attr(not(test), expect(dead_code, reason = "for readers of the table"))]
     source: &'static str,
-    /// For each published size of the bones, the factors of each body's meshes; names of bodies are without their side.
-    sizes: Vec<BTreeMap<&'static str, [f64; 3]>>,
+    /// The bones of each published skeleton that carries the layout; names of bodies are without their side.
+    sizes: Vec<BTreeMap<&'static str, PublishedBone>>,
     places: Option<Vec<PublishedPlace>>,
     /// The number of places and their digest, if the licence does not allow copying them.
     digest: Option<(usize, &'static str)>,
+}
+
+/// The size of a bone of a published model.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct PublishedBone {
+    /// The scale factors of its meshes.
+    factors: [f64; 3],
+    /// Its [length by joints](BodyBones::length_by_joints) in the published model, m, or OpenSim's times a factor: where meshes are absent
+    /// or were not scaled, it shows the size.
+    length_m: Option<f64>,
 }
 
 /// The name of a body, and x, y, z of a sphere centre in it, m.
@@ -108,12 +119,12 @@ fn match_layout(list: Vec<SphereCentre<'_>>, bones: &BodyBones) -> Option<Layout
         return volume.map(|volume| LayoutMatch::AsPublished { volume });
     };
     let bodies: BTreeSet<&str> = centres.list.iter().map(|place| place.body).collect();
-    if bodies.iter().all(|body| bones.size(body).is_none() && bones.length_by_toe_joint(body).is_none()) {
+    if bodies.iter().all(|body| bones.size(body).is_none() && bones.length_by_joints(body).is_none()) {
         return None;
     }
-    let differs = |published: &BTreeMap<&str, [f64; 3]>| {
+    let differs = |published: &BTreeMap<&str, PublishedBone>| {
         bodies.iter().find_map(|&body| {
-            let growth = growth_of_bone(bones, body, *published.get(published_name(body))?)?;
+            let growth = growth_of_bone(bones, body, published.get(published_name(body))?)?;
             Some((body.to_owned(), growth))
         })
     };
@@ -124,20 +135,21 @@ fn match_layout(list: Vec<SphereCentre<'_>>, bones: &BodyBones) -> Option<Layout
     Some(LayoutMatch::OtherSize { title: layout.title, body, growth })
 }
 
-/// A foot has the published length if the length that its toe joint shows differs by at most this, relatively.
+/// A bone has the published length if its length by joints differs by at most this, relatively.
 const SAME_LENGTH_TOLERANCE: f64 = 0.02;
 
-/// Meshes that are so much larger or smaller than published are in another unit, such as millimetres, and show no other size of the bone.
+/// Bones that are so much larger or smaller than published are in another unit, such as millimetres, and show no other size.
 const PLAUSIBLE_GROWTH: std::ops::Range<f64> = 0.05..20.0;
 
-/// The size of `body` over `published`, by its meshes or else by its joint to the toes; `None` if it has the published size.
-fn growth_of_bone(bones: &BodyBones, body: &str, published: [f64; 3]) -> Option<[f64; 3]> {
-    let of_meshes = bones.size(body).filter(|here| !same_size(*here, published));
-    let of_meshes = of_meshes.map(|here| std::array::from_fn(|axis| here[axis] / published[axis]));
-    let of_meshes = of_meshes.filter(|growth| growth.iter().all(|one| PLAUSIBLE_GROWTH.contains(one)));
-    let of_length = bones.length_by_toe_joint(body).map(|length| length / published[0]);
-    let of_length = of_length.filter(|ratio| (ratio - 1.0).abs() > SAME_LENGTH_TOLERANCE);
-    of_meshes.or(of_length.map(|ratio| [ratio; 3]))
+/// The size of `body` over the `published` one, by its meshes or else by its joints; `None` if it has the published size.
+fn growth_of_bone(bones: &BodyBones, body: &str, published: &PublishedBone) -> Option<[f64; 3]> {
+    let PublishedBone { factors, length_m } = published;
+    let of_meshes = bones.size(body).filter(|here| !same_size(*here, *factors));
+    let of_meshes = of_meshes.map(|here| std::array::from_fn(|axis| here[axis] / factors[axis]));
+    let of_joints = bones.length_by_joints(body).zip(*length_m).map(|(here, published)| [here / published; 3]);
+    let of_joints = of_joints.filter(|[ratio, ..]| (ratio - 1.0).abs() > SAME_LENGTH_TOLERANCE);
+    let is_plausible = |growth: &[f64; 3]| growth.iter().all(|one| PLAUSIBLE_GROWTH.contains(one));
+    of_meshes.filter(is_plausible).or(of_joints.filter(is_plausible))
 }
 
 /// The title of a published layout whose mirror image the spheres of `model` are: each foot has the places of the other foot. `None` if the
@@ -204,7 +216,7 @@ impl PublishedLayout {
         self.sizes.iter().find_map(|published| {
             let mut volume = 1.0;
             let back = centres.list.iter().map(|&SphereCentre { body, at_m }| {
-                let (here, published) = (bones.size(body)?, published.get(published_name(body))?);
+                let (here, published) = (bones.size(body)?, published.get(published_name(body))?.factors);
                 volume = here.iter().product::<f64>() / published.iter().product::<f64>();
                 let at_m = std::array::from_fn(|axis| at_m[axis] * (published[axis] / here[axis]));
                 Some(SphereCentre { body, at_m })
