@@ -207,14 +207,7 @@ fn a_wrong_original_model_causes_an_error_with_the_reason() {
     let own = |name: &str| dir.text(name).replace("<stiffness>2000000<", "<stiffness>3100000<");
     // Meshes that are scaled in one of the models.
     dir.write("own.osim", own("generic.osim").replace("1.01 1 1.02", "1 1 1"));
-    let in_generic = [
-        ("1.0302 0.90000000000000002 0.96899999999999997", "1.02 0.9 0.95"),
-        ("0.95949999999999991 0.93000000000000005 0.96899999999999997", "0.95 0.93 0.95"),
-        ("0.96960000000000002 0.97999999999999998 0.95879999999999999", "0.96 0.98 0.94"),
-        ("0.97970000000000002 0.91000000000000003 0.98939999999999995", "0.97 0.91 0.97"),
-    ];
-    let scaled = in_generic.iter().fold(own("scaled.osim"), |text, (was, is)| text.replace(was, is));
-    dir.write("own_scaled.osim", scaled);
+    dir.write("own_scaled.osim", on_unscaled_meshes(own("scaled.osim")));
     for (call, expected) in [
         ("check generic.osim --from scaled.osim", "the two are swapped"),
         // A note in both, which says by itself that spheres of the scaled model were left behind.
@@ -242,9 +235,43 @@ fn a_wrong_original_model_causes_an_error_with_the_reason() {
         let run = dir.run(&format!("check scaled.osim --from {itself}")).usage_error();
         run.says(&["scaled.osim is the model itself", "--from"]);
     }
-    let swapped = "transfer own.osim --from own_scaled.osim --follow-bodies";
-    dir.run(swapped).failed().wrote_nothing().says(&["the two are swapped", "--yes wrong-afterwards"]);
+    let contacts_do_not_fit = "the contacts of this model fit its body, and those of the other one do not";
+    for (call, why) in [
+        ("own.osim --from own_scaled.osim", "the bones of the other one are scaled"),
+        ("generic.osim --from scaled.osim --reference-mass 62", contacts_do_not_fit),
+    ] {
+        let swapped = dir.run(&format!("transfer {call} --follow-bodies")).failed().wrote_nothing();
+        swapped.says(&[why, "the two are swapped", "--yes wrong-afterwards"]);
+    }
     // The spheres of another body.
     let other = dir.run("transfer scaled.osim --from known.osim --follow-bodies").failed().wrote_nothing();
     other.says(&["was it scaled from another one?"]);
+}
+
+#[test]
+fn a_right_original_is_not_said_to_be_swapped() {
+    let dir = TestDir::with(&SCALED_MODELS);
+    // A generic model of 75 kg with contacts for 62 kg, and its copy, which weighs 62 kg by chance. The meshes of the copy alone are scaled.
+    let heavy = dir.text("generic.osim").replace("1.01 1 1.02", "1 1 1").replace("<mass>36<", "<mass>49<");
+    dir.write("heavy.osim", heavy);
+    let copy = on_unscaled_meshes(dir.text("scaled.osim"));
+    dir.write("copy.osim", copy.replace("<mass>30.193548387096776<", "<mass>40.193548387096776<"));
+    dir.run("transfer copy.osim --from heavy.osim --follow-bodies --reference-mass 62 -o followed.osim")
+        .succeeded()
+        .says_not(&["swapped"]);
+    dir.run("check copy.osim --from heavy.osim")
+        .failed()
+        .says(&["spheres-left-behind"])
+        .says_not(&["swapped"]);
+}
+
+/// The model `text`, which was scaled from a model whose meshes have factors, as scaled from one whose meshes have none.
+fn on_unscaled_meshes(text: String) -> String {
+    let factors = [
+        ("1.0302 0.90000000000000002 0.96899999999999997", "1.02 0.9 0.95"),
+        ("0.95949999999999991 0.93000000000000005 0.96899999999999997", "0.95 0.93 0.95"),
+        ("0.96960000000000002 0.97999999999999998 0.95879999999999999", "0.96 0.98 0.94"),
+        ("0.97970000000000002 0.91000000000000003 0.98939999999999995", "0.97 0.91 0.97"),
+    ];
+    factors.iter().fold(text, |text, (was, is)| text.replace(was, is))
 }

@@ -56,7 +56,7 @@ pub use known_contacts::KnownContacts;
 pub use load::{
     ContactsOrigin, InspectOptions, LoadSharing, MassMismatch, Stance, first_unexplained, unexplained_mass,
 };
-pub use place_evidence::{are_feet_exchanged, are_feet_scaled};
+pub use place_evidence::{CONTACTS_ARE_EXCHANGED, SignsOfScaling};
 pub use plane_judgement::weight_share_on_floor;
 pub use quantity::Quantity;
 pub use reference_contacts::ReferenceContacts;

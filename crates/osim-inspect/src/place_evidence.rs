@@ -2,9 +2,13 @@
 
 use std::collections::BTreeSet;
 
-use osim_model::{Model, ScaledSinceNote, SphereId, has_word, without_side};
+use osim_model::{
+    CountedSpheres, MassRequest, Model, ScaledSinceNote, SphereId, are_equal_masses, has_word, without_side,
+};
 
 use crate::body_bones::{BodyBones, same_size};
+use crate::known_contacts::KnownContacts;
+use crate::load::LoadSharing;
 use crate::published_layouts::{LayoutMatch, find_layout, find_mirrored_layout};
 use crate::reach::{Reach, reaches};
 
@@ -44,15 +48,13 @@ impl PlaceEvidence {
             return if noted.spheres_left_behind { Self::ScaledSinceNote(noted) } else { Self::Right };
         }
         let Some(bones) = bones else { return Self::Unscaled };
-        match find_layout(model, bones) {
-            Some(LayoutMatch::AsPublished { .. }) => return Self::Right,
-            Some(other) => return Self::OtherSize(other),
-            None => {}
+        if let Some(layout) = find_layout(model, bones) {
+            let is_published = matches!(layout, LayoutMatch::AsPublished { .. });
+            return if is_published { Self::Right } else { Self::OtherSize(layout) };
         }
         // A sphere that is odd in several measures is named once.
-        let mut named = BTreeSet::new();
-        let far = reaches(model, bones).into_iter().filter(|one| one.is_odd() && named.insert(one.sphere));
-        let far: Vec<Reach> = far.collect();
+        let (mut far, mut named) = (reaches(model, bones), BTreeSet::new());
+        far.retain(|one| one.is_odd() && named.insert(one.sphere));
         if !far.is_empty() {
             return Self::FarReach(far);
         }
@@ -70,13 +72,51 @@ impl PlaceEvidence {
     }
 }
 
-/// Whether feet that are scaled, or not, show that the `original` is the scaled one: `model` was not made from it.
-pub fn are_feet_exchanged(model: &Model, original: Option<bool>) -> bool {
-    original == Some(true) && are_feet_scaled(model) == Some(false)
+/// What one model shows about whether it was scaled, to distinguish a scaled model from its original.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct SignsOfScaling {
+    /// Whether its published contacts are for its mass, and nothing shows that they are at wrong places; `None` if this shows nothing.
+    fits_contacts: Option<bool>,
+    /// Whether the meshes of its feet are scaled, if they have meshes.
+    has_scaled_feet: Option<bool>,
 }
 
+impl SignsOfScaling {
+    /// The signs of `model`, whose mass follows from `masses`.
+    pub fn of(model: &Model, masses: &MassRequest) -> Self {
+        let (forces, kg) = (model.force_ids(), masses.model_mass(model).ok().map(|mass| mass.kg));
+        let count = LoadSharing::of(model, &forces).count(None, 1.0, CountedSpheres::Model).ok();
+        let known = KnownContacts::find(model, &forces, count, kg);
+        let fits_contacts = known.zip(kg).and_then(|(known, kg)| {
+            let has_mass = known.is_published_under_other_body() || are_equal_masses(known.made_for_kg, kg);
+            // Contacts that this program has scaled have the mass of any body.
+            let is_sign = !has_mass || model.note.is_none();
+            is_sign.then(|| has_mass && !PlaceEvidence::of(model, None).is_wrong())
+        });
+        Self { fits_contacts, has_scaled_feet: are_feet_scaled(model) }
+    }
+
+    /// Why the model with these signs is the original of the one with the signs `original`, which was given as its original; `None` if
+    /// nothing shows this.
+    pub fn why_exchanged(self, original: Self) -> Option<&'static str> {
+        let contacts = (self.fits_contacts, original.fits_contacts);
+        let feet = (self.has_scaled_feet, original.has_scaled_feet);
+        // A scaled copy can by chance weigh what its contacts were published for.
+        if contacts == (Some(true), Some(false)) && feet != (Some(true), Some(false)) {
+            return Some(CONTACTS_ARE_EXCHANGED);
+        }
+        let why =
+            "the bones of the other one are scaled, and those of this model are not: the two are swapped";
+        (feet == (Some(false), Some(true))).then_some(why)
+    }
+}
+
+/// Why a model is the original of the one that was given as its original.
+pub const CONTACTS_ARE_EXCHANGED: &str =
+    "the contacts of this model fit its body, and those of the other one do not: the two are swapped";
+
 /// Whether the meshes of a foot with spheres are scaled; `None` if no foot with spheres has meshes of a known size.
-pub fn are_feet_scaled(model: &Model) -> Option<bool> {
+fn are_feet_scaled(model: &Model) -> Option<bool> {
     let bones = BodyBones::of(model)?;
     let carriers = model.loaded_spheres(&model.force_ids());
     let bodies = carriers.iter().filter_map(|&id| model.sphere(id)?.body.as_deref());
@@ -91,11 +131,10 @@ pub fn are_feet_scaled(model: &Model) -> Option<bool> {
 fn bodies_beside_feet(model: &Model, bones: &BodyBones) -> Option<Vec<String>> {
     let spheres = model.loaded_spheres(&model.force_ids());
     let bodies: BTreeSet<&str> = spheres.iter().filter_map(|&id| model.sphere(id)?.body.as_deref()).collect();
-    let names = |part: &'static str| move |body: &&str| has_word(body, part);
-    let has_calcaneus = model.bodies().iter().any(|body| names("calc")(&body.name.as_str()));
+    let has_calcaneus = model.bodies().iter().any(|body| has_word(&body.name, "calc"));
     // Animals stand on a manus, too.
-    let is_any_foot = |body: &&str| bones.is_foot(body) || names("manus")(body);
-    let is_foot = |body: &&str| if has_calcaneus { names("calc")(body) } else { is_any_foot(body) };
+    let is_any_foot = |body: &str| bones.is_foot(body) || has_word(body, "manus");
+    let is_foot = |body: &&str| if has_calcaneus { has_word(body, "calc") } else { is_any_foot(body) };
     if bodies.iter().any(is_foot) || !bones.has_feet() {
         return None;
     }
@@ -103,7 +142,7 @@ fn bodies_beside_feet(model: &Model, bones: &BodyBones) -> Option<Vec<String>> {
     let is_of_skeleton = |body: &str| bones.joint_above(body).is_some() || bones.has_foot_below(body);
     // A shoe has the spheres of its foot. What is named after its body, such as a palm on a hand, is meant to be there.
     let is_meant = |body: &str| bones.is_worn_by_foot(body) || are_named_after(model, &spheres, body);
-    let is_of_other_bone = |body: &str| !bones.is_foot(body) || names("talus")(&body);
+    let is_of_other_bone = |body: &str| !bones.is_foot(body) || has_word(body, "talus");
     let is_beside = |body: &&str| is_of_skeleton(body) && is_of_other_bone(body) && !is_meant(body);
     let beside: Vec<String> = bodies.into_iter().filter(is_beside).map(str::to_owned).collect();
     (!beside.is_empty()).then_some(beside)

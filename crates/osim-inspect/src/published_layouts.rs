@@ -146,7 +146,8 @@ fn growth_of_bone(bones: &BodyBones, body: &str, published: &PublishedBone) -> O
     let PublishedBone { factors, length_m } = published;
     let of_meshes = bones.size(body).filter(|here| !same_size(*here, *factors));
     let of_meshes = of_meshes.map(|here| std::array::from_fn(|axis| here[axis] / factors[axis]));
-    let of_joints = bones.length_by_joints(body).zip(*length_m).map(|(here, published)| [here / published; 3]);
+    let of_joints =
+        bones.length_by_joints(body).zip(*length_m).map(|(here, published)| [here / published; 3]);
     let of_joints = of_joints.filter(|[ratio, ..]| (ratio - 1.0).abs() > SAME_LENGTH_TOLERANCE);
     let is_plausible = |growth: &[f64; 3]| growth.iter().all(|one| PLAUSIBLE_GROWTH.contains(one));
     of_meshes.filter(is_plausible).or(of_joints.filter(is_plausible))

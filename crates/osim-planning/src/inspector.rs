@@ -5,15 +5,14 @@ use std::path::{Path, PathBuf};
 
 use contact_scaling::Ratios;
 use osim_inspect::{
-    CheckResult, FindingWithRemedy, InspectOptions, Inspection, ReferenceContacts, SizeList,
-    are_feet_exchanged, are_feet_scaled, check_without_remedies, find_misplaced_spheres, unexplained_mass,
+    CONTACTS_ARE_EXCHANGED, CheckResult, FindingWithRemedy, InspectOptions, Inspection, ReferenceContacts,
+    SignsOfScaling, SizeList, check_without_remedies, find_misplaced_spheres, unexplained_mass,
 };
 use osim_model::compare::{Factors, ModelSize, ScaleFile, Similarity, SpherePlacements, moco_bounds};
 use osim_model::files::{Failure, FileName, Files, OpenModel};
 use osim_model::messages::{Phrase, phrase};
 use osim_model::{
     Anatomy, Document, Fault, FaultKind, Finding, FindingCode, MassRequest, Model, Selection, Severity,
-    are_equal_masses,
 };
 use osim_requests::options::{AnswerOptions, InspectionOptions, SetFiles};
 use osim_requests::{CheckRequest, InspectRequest, Kilograms};
@@ -61,10 +60,8 @@ struct GenericModel {
     codes: BTreeSet<FindingCode>,
     /// The reason why nothing can be compared with the generic model: an error in it.
     fault: Option<Phrase>,
-    /// Whether the bodies have the mass for which the contacts were published; `None` if the contacts are not published ones.
-    fits_contacts: Option<bool>,
-    /// Whether the meshes of its feet are scaled, if they have meshes.
-    has_scaled_feet: Option<bool>,
+    /// What it shows about whether it was scaled itself.
+    signs: SignsOfScaling,
 }
 
 /// Reads the generic model, and the ScaleSet beside it if there is one.
@@ -103,14 +100,8 @@ fn generic_model(
         moco: None,
         codes: findings.iter().map(|one| one.code()).collect(),
         fault,
-        fits_contacts: fits_known_contacts(&inspected),
-        has_scaled_feet: are_feet_scaled(&generic.model),
+        signs: SignsOfScaling::of(&generic.model, &options.masses),
     })
-}
-
-/// Whether the bodies have the mass for which the contacts of the model were published; `None` if the contacts are not published ones.
-fn fits_known_contacts(inspected: &Inspection) -> Option<bool> {
-    Some(are_equal_masses(inspected.known_contacts?.made_for_kg, inspected.mass_kg?))
 }
 
 /// The generic model with which `check` compares, and the setups of Moco.
@@ -289,18 +280,13 @@ impl Inspector {
         let (file, scale_file) = (generic.file.as_ref(), scale_file.as_deref());
         let mut placement =
             SpherePlacements::compare(model, from, scale_file, &generic.anatomy, file, radius_ratio);
-        let fits = (fits_known_contacts(inspection), generic.fits_contacts);
         let other_left_behind = generic.codes.contains(&FindingCode::SpheresLeftBehind);
-        let alone = other_left_behind && find_misplaced_spheres(model).is_none();
-        if placement.was_left_behind() && (alone || fits == (Some(true), Some(false))) {
-            let why = "the contacts of this model fit its body, and those of the other one do not: the two are swapped";
-            placement = placement.of_wrong_model(why.into());
-        } else if placement.was_left_behind() && are_feet_exchanged(model, generic.has_scaled_feet) {
-            let why =
-                "the bones of the other one are scaled, and those of this model are not: the two are swapped";
-            placement = placement.of_wrong_model(why.into());
-        } else if let Some(fault) = &generic.fault {
-            placement = placement.of_wrong_model(fault.clone());
+        let alone = || other_left_behind && find_misplaced_spheres(model).is_none();
+        let by_signs = || SignsOfScaling::of(model, &self.options.masses).why_exchanged(generic.signs);
+        let exchanged = || alone().then_some(CONTACTS_ARE_EXCHANGED).or_else(by_signs);
+        let exchanged = placement.was_left_behind().then(exchanged).flatten();
+        if let Some(why) = exchanged.map(Phrase::from).or_else(|| generic.fault.clone()) {
+            placement = placement.of_wrong_model(why);
         }
         inspection.placement = Some(placement);
         inspection.reference_contacts = Some(generic.contacts.clone());

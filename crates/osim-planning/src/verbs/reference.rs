@@ -5,7 +5,7 @@ use std::path::Path;
 
 use contact_scaling::Preset;
 use osim_inspect::{
-    ContactsOrigin, KnownContacts, LoadSharing, ReferenceState, Stance, are_feet_scaled,
+    ContactsOrigin, KnownContacts, LoadSharing, ReferenceState, SignsOfScaling, Stance,
     find_misplaced_spheres,
 };
 use osim_model::compare::ScaleFile;
@@ -42,8 +42,8 @@ pub(super) struct GenericModel {
     standing: BTreeSet<String>,
     /// The lengths of its bones.
     pub(super) bones: BoneLengths,
-    /// Whether the meshes of its feet are scaled, if they have meshes.
-    pub(super) has_scaled_feet: Option<bool>,
+    /// What it shows about whether it was scaled itself.
+    pub(super) signs: SignsOfScaling,
 }
 
 impl GenericModel {
@@ -55,7 +55,7 @@ impl GenericModel {
             sphere_count: self.sphere_count.clone(),
             standing: names_of_standing_spheres(model),
             bones: self.bones.clone(),
-            has_scaled_feet: None,
+            signs: SignsOfScaling::default(),
         }
     }
 
@@ -134,8 +134,8 @@ pub(super) fn reference_of_opened(
         request.follow.body_scale_file.as_deref().map(|path| read_scale_file(path, files)).transpose()?;
     let standing = names_of_standing_spheres(&open.model);
     let bones = open.model.joint_distances().clone();
-    let has_scaled_feet = are_feet_scaled(&open.model);
-    let generic = GenericModel { anatomy, file, sphere_count, standing, bones, has_scaled_feet };
+    let signs = SignsOfScaling::of(&open.model, &MassRequest::default());
+    let generic = GenericModel { anatomy, file, sphere_count, standing, bones, signs };
     Ok((reference, state, Some(generic)))
 }
 

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use contact_scaling::Ratios;
-use osim_inspect::{LoadSharing, are_feet_exchanged};
+use osim_inspect::{LoadSharing, SignsOfScaling};
 use osim_model::compare::{Factors, Follow, FollowRequest, OwnRadii, SpherePlacements};
 use osim_model::files::{Failure, Files};
 use osim_model::messages::{Input, Verb, phrase};
@@ -241,13 +241,12 @@ impl TransferPlanner {
         reference: &Reference,
         generic: Option<&GenericModel>,
     ) -> Result<Plan, Fault> {
-        let was_scaled = |generic: &GenericModel| are_feet_exchanged(model, generic.has_scaled_feet);
-        let original = self.original.as_ref().filter(|_| generic.is_none_or(was_scaled));
+        let why = |other: &GenericModel| SignsOfScaling::of(model, &self.masses).why_exchanged(other.signs);
+        let exchanged = self.original.as_ref().and(generic).and_then(why);
+        let original = self.original.as_ref().filter(|_| generic.is_none() || exchanged.is_some());
         let stayed = original.is_some_and(|original| are_left_behind(model, original));
-        if stayed && generic.is_some() {
-            let text =
-                "the bones of the reference are scaled, and those of this model are not: the two are swapped";
-            let doubt = Suspicion::Other { question: YesQuestion::WrongAfterwards, text: text.into() };
+        if let Some(why) = exchanged.filter(|_| stayed) {
+            let doubt = Suspicion::Other { question: YesQuestion::WrongAfterwards, text: why.into() };
             self.answers.require_yes(Some(doubt)).map_err(Fault::new)?;
         }
         let followed = |generic| self.followed_spheres(model, selected, reference, generic);
