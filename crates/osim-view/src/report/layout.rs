@@ -282,7 +282,7 @@ impl TextTable {
 /// longer.
 pub(crate) fn cut_names(names: &[&str], width: usize) -> Vec<String> {
     let different = names.iter().collect::<HashSet<_>>().len();
-    let longest = names.iter().map(|name| name.chars().count()).max().unwrap_or_default();
+    let longest = names.iter().map(|name| display_width(name)).max().unwrap_or_default();
     for width in width..longest {
         for end in [width / 2, width * 3 / 4, width / 4] {
             let cut: Vec<String> = names.iter().map(|name| cut_name(name, width, end)).collect();
@@ -294,14 +294,23 @@ pub(crate) fn cut_names(names: &[&str], width: usize) -> Vec<String> {
     names.iter().map(|name| (*name).to_owned()).collect()
 }
 
-/// A name in at most `width` columns, of which the last `end` letters are kept.
+/// A name in at most `width` columns, of which the letters in the last `end` columns are kept.
 fn cut_name(name: &str, width: usize, end: usize) -> String {
-    let letters: Vec<char> = name.chars().collect();
-    if letters.len() <= width || width < 3 {
+    if display_width(name) <= width || width < 3 {
         return name.to_owned();
     }
-    let (first, last) = (letters.iter().take(width - end - 1), letters.iter().skip(letters.len() - end));
-    first.chain(&['~']).chain(last).collect()
+    let first = bytes_within(name.chars(), width - end - 1);
+    let last = name.len() - bytes_within(name.chars().rev(), end);
+    format!("{}~{}", &name[..first], &name[last..])
+}
+
+/// The number of bytes of the first `letters` that fit into `columns`.
+fn bytes_within(letters: impl Iterator<Item = char>, columns: usize) -> usize {
+    let fitting = letters.scan(columns, |left, letter| {
+        *left = left.checked_sub(display_width(letter.encode_utf8(&mut [0; 4])))?;
+        Some(letter.len_utf8())
+    });
+    fitting.sum()
 }
 
 /// A name in at most `width` columns. Its middle is left out, because names differ at their ends. Invisible letters are escaped.
@@ -446,6 +455,8 @@ mod tests {
         assert_eq!(shorten("heel_r", 10), "heel_r");
         assert_eq!(shorten("SmoothSphere_forefoot_med_r", 11), "Smoot~med_r");
         assert_eq!(shorten("SmoothSphere_forefoot_med_r", 11).chars().count(), 11);
+        // These letters have two columns each.
+        assert_eq!(cut_names(&["足の接触球_踵_右", "足の接触球_踵_左"], 11), ["足の~踵_右", "足の~踵_左"]);
     }
 
     #[test]
