@@ -53,11 +53,11 @@ impl Session {
         let message = after_name("").or_else(|| after_name(":")).unwrap_or(&message);
         self.terminal.error(&format!("error: {place}: {message}\n"));
         if let Some(excerpt) = &failure.excerpt {
+            let columns = self.terminal.columns_of_errors();
+            let excerpt = columns.map_or_else(|| excerpt.clone(), |columns| excerpt.fitted(columns));
             let source = Snippet::source(excerpt.text.as_str()).line_start(excerpt.line);
             let marked = source.annotation(AnnotationKind::Primary.span(excerpt.marked.clone()));
-            let fitted = |columns| Renderer::plain().term_width(columns);
-            let renderer = self.terminal.columns_of_errors().map_or_else(Renderer::plain, fitted);
-            let snippet = renderer.render(&[Group::with_level(Level::ERROR).element(marked)]);
+            let snippet = Renderer::plain().render(&[Group::with_level(Level::ERROR).element(marked)]);
             let _ = self.terminal.print_to_stderr_unbroken(&format!("{snippet}\n"));
         }
         Ok(Exit::Failed)

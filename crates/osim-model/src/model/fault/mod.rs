@@ -170,19 +170,28 @@ impl Excerpt {
 
     /// The part of a long line around the mark: some models have megabytes in one line.
     fn cut_around(line: usize, text: &str, marked: Range<usize>) -> Self {
-        let start = letter_at(text, marked.start.saturating_sub(CONTEXT_BYTES));
         let end = marked.end.min(marked.start + CONTEXT_BYTES) + CONTEXT_BYTES;
-        let end = letter_at(text, end);
-        let text = text.get(start..end).unwrap_or_default().to_owned();
-        let within = |at: usize| at.saturating_sub(start).min(text.len());
-        let marked = within(marked.start)..within(marked.end);
-        Self { line, text, marked }
+        Self::part(line, text, marked.start.saturating_sub(CONTEXT_BYTES)..end, &marked)
     }
-}
 
-/// The index of the first byte of the letter to which byte `at` belongs.
-fn letter_at(text: &str, at: usize) -> usize {
-    (0..=at.min(text.len())).rev().find(|&at| text.is_char_boundary(at)).unwrap_or(0)
+    /// The excerpt for lines of at most `columns`: of the text, the part around the beginning of the mark.
+    pub fn fitted(&self, columns: usize) -> Self {
+        // Before the text stand the number of the line, a bar and blanks.
+        let columns = columns.saturating_sub(self.line.to_string().len() + 3);
+        // No other letter than a tab has more columns than bytes.
+        let text = self.text.replace('\t', " ");
+        let beside = columns.saturating_sub(self.marked.len()) / 2;
+        let start = self.marked.start.saturating_sub(beside).min(text.len().saturating_sub(columns));
+        Self::part(self.line, &text, start..start + columns, &self.marked)
+    }
+
+    /// The whole letters of `text` in the range of bytes.
+    fn part(line: usize, text: &str, bytes: Range<usize>, marked: &Range<usize>) -> Self {
+        let start = text.ceil_char_boundary(bytes.start);
+        let text = text.get(start..text.floor_char_boundary(bytes.end)).unwrap_or_default().to_owned();
+        let within = |at: usize| at.saturating_sub(start).min(text.len());
+        Self { line, marked: within(marked.start)..within(marked.end), text }
+    }
 }
 
 #[cfg(test)]
@@ -204,6 +213,20 @@ mod tests {
         assert!(excerpt.text.len() < 500, "{}", excerpt.text.len());
         let all = Excerpt::of(bytes.as_bytes(), 0..bytes.len()).unwrap();
         assert!(all.text.len() < 500 && all.marked == (0..all.text.len()), "{all:?}");
+    }
+
+    #[test]
+    fn an_excerpt_fits_into_a_terminal() {
+        let fitted = |text: &str, marked: Range<usize>| {
+            let Excerpt { text, marked, .. } = Excerpt::of(text.as_bytes(), marked).unwrap().fitted(54);
+            (text, marked)
+        };
+        let digits = "7".repeat(100);
+        assert_eq!(fitted("\t<a>7</a>", 4..5), (" <a>7</a>".to_owned(), 4..5));
+        assert_eq!(fitted(&format!("\t<a>{digits}</a>"), 4..104), ("7".repeat(50), 0..50));
+        assert_eq!(fitted(&format!("{digits}x"), 100..101), (format!("{}x", "7".repeat(49)), 49..50));
+        let wide = "\u{6570}";
+        assert_eq!(fitted(&wide.repeat(50), 0..150), (wide.repeat(16), 0..48));
     }
 
     #[test]
