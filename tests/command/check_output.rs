@@ -204,6 +204,13 @@ fn published_models_have_the_documented_findings() {
     }
     let landing = report_of("v40000_toy_landing");
     assert!(landing.contains("mixed-radii") && !landing.contains("beyond-hertz"));
+    let dir = TestDir::new();
+    dir.write("m.osim", std::fs::read(folder.join("v40000_toy_landing.osim")).unwrap());
+    let out = dir.run("check m.osim").succeeded().out();
+    let words = out.split_whitespace().collect::<Vec<_>>().join(" ");
+    for code in ["mixed-radii", "several-spheres-one-force"] {
+        assert!(words.contains(&format!("(and 1 more), as published [{code}]")), "{out}");
+    }
 }
 
 /// D'Hondt's forefoot is in 0.2392 R deep under two body weights, in the publication, too, but not under 20 % more.

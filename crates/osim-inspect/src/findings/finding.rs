@@ -26,7 +26,10 @@ impl FindingWithRemedy {
 
     /// The finding with the severity from the table of known contacts, and without a remedy, because the contacts were published like this.
     pub(crate) fn with_published_severity(self, severity: Severity) -> Self {
-        let finding = Finding { is_published: true, ..self.finding.with_severity(severity) };
+        let mut finding = Finding { is_published: true, ..self.finding.with_severity(severity) };
+        if !finding.is_as_published() {
+            finding.message.push(", as published");
+        }
         Self { finding, remedy: None, ..self }
     }
 

@@ -128,10 +128,12 @@ impl Finding {
         Self { severity, ..self }
     }
 
-    /// Whether the known contacts were published like this. It does not make them right for a body of another mass.
+    /// Whether the known contacts were published like this, and nobody has to look at it. That they were published does not make them right
+    /// for a body of another mass, and what Simbody does with several spheres stays worth seeing.
     pub fn is_as_published(&self) -> bool {
-        self.code() == FindingCode::KnownContacts
-            || self.is_published && self.code() != FindingCode::ContactsOfAnotherMass
+        use FindingCode::{ContactsOfAnotherMass, KnownContacts, MixedRadii, SeveralSpheres};
+        let is_worth_seeing = matches!(self.code(), ContactsOfAnotherMass | MixedRadii | SeveralSpheres);
+        self.code() == KnownContacts || self.is_published && !is_worth_seeing
     }
 
     /// The component paths of all elements in question.

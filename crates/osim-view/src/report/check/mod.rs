@@ -2,6 +2,7 @@
 
 mod library_table;
 
+use std::cmp::Reverse;
 use std::collections::BTreeMap;
 
 use osim_inspect::{CheckResult, Counts, FindingWithRemedy, Sign};
@@ -138,19 +139,14 @@ impl<'c> VerdictRows<'c> {
         let files: Vec<_> = files.filter(|finding| !finding.is_as_published()).collect();
         for alike in files.chunk_by(|a, b| a.code() == b.code()) {
             // A few are told one by one: they may have nothing in common but the rule.
-            let rows_of_rule =
-                if alike.len() > MOST_NAMES_LISTED { vec![alike] } else { alike.chunks(1).collect() };
-            for findings in rows_of_rule {
+            let in_one_row = if alike.len() > MOST_NAMES_LISTED { alike.len() } else { 1 };
+            for findings in alike.chunks(in_one_row) {
                 let Some(first) = findings.first() else { continue };
                 let text = row_text(first.message.to_string(), first.place.as_deref(), findings);
                 rows.bad.push(VerdictRow { sign: first.severity.into(), on: ROW_OF_FILE, text });
             }
         }
-        rows.bad.sort_by_key(|row| match row.sign {
-            Sign::Error => 0,
-            Sign::Warning => 1,
-            _ => 2,
-        });
+        rows.bad.sort_by_key(|row| Reverse(row.sign));
         rows
     }
 
@@ -158,10 +154,8 @@ impl<'c> VerdictRows<'c> {
     fn good_in_words(&self) -> Option<String> {
         let good = self.good.iter().map(|row| row.on).filter(|on| !self.published.contains(on));
         let good: Vec<&str> = good.collect();
-        let published = match self.published.as_slice() {
-            [] => None,
-            names => Some(format!("{} as published", names.join(", "))),
-        };
+        let published = self.published.join(", ");
+        let published = (!published.is_empty()).then(|| format!("{published} as published"));
         let parts = [Some(good.join(", ")).filter(|text| !text.is_empty()), published];
         let parts: Vec<String> = parts.into_iter().flatten().collect();
         (!parts.is_empty()).then(|| parts.join("; "))
@@ -180,7 +174,7 @@ fn row_text(mut text: String, place: Option<&str>, findings: &[&FindingWithRemed
     match others {
         0 => {}
         // The message of the first counts the cases of its own cause.
-        _ if text.ends_with(" more)") => text.push_str(&format!("; {}", counted(others, "other cause"))),
+        _ if text.contains(" more)") => text.push_str(&format!("; {}", counted(others, "other cause"))),
         _ => text.push_str(&format!(" (and {others} more)")),
     }
     let mut codes: Vec<&str> = findings.iter().map(|finding| finding.code().as_str()).collect();
