@@ -75,6 +75,25 @@ fn a_scaled_model_beside_its_original_is_asked_for_it() {
     dir.run("check .").says(&["osim-contact-scale check . --from GENERIC compares each"]);
 }
 
+#[test]
+fn calls_in_texts_name_the_files_of_this_check() {
+    let dir = TestDir::with(&[
+        ("scale_tool/scaled_smooth.osim", "scaled model.osim"),
+        ("follows_size/generic.osim", "generic.osim"),
+        ("check/spheres_misplaced.osim", "other.osim"),
+    ]);
+    let alone = dir.run("check \"scaled model.osim\" --format json").succeeded();
+    // In JSON, a quotation mark has a backslash.
+    let name = r#"\"scaled model.osim\""#;
+    let compared = format!("seen here: check {name} --from GENERIC compares with the model that was scaled");
+    let advice = format!("model that was scaled: check {name} --from GENERIC\"");
+    alone.says(&[&compared, &advice, &format!("the value that inspect {name} says")]).says_not(&["MODEL"]);
+    let named = "check other.osim --from generic.osim says where each belongs";
+    let compared = dir.run("check other.osim --from generic.osim --format json").failed();
+    compared.says(&[named]).says_not(&["MODEL"]);
+    dir.run("explain spheres-misplaced --format json").says(&["check MODEL --from ORIGINAL says where"]);
+}
+
 /// The commands in what `check` printed, without the name of the program.
 fn printed_commands(out: &str) -> Vec<&str> {
     out.lines().filter_map(|line| line.strip_prefix("$ osim-contact-scale ")).collect()

@@ -10,7 +10,7 @@ use osim_library::run::{
 };
 use osim_library::{Disk, folder_of};
 use osim_model::files::{Failure, Files};
-use osim_model::messages::{Input, Phrase, Verb, listed, one_line, phrase};
+use osim_model::messages::{Call, Input, Phrase, Verb, listed, one_line, phrase};
 use osim_model::{FileId, Severity};
 use osim_planning::{PreparedChange, may_be_file, prepare};
 use osim_requests::options::{InspectionOptions, RunFormat, RunOptions, SheetFormat};
@@ -416,7 +416,7 @@ pub(crate) fn run_batch(request: &BatchRequest, session: &mut Session) -> Result
     if manifest.is_dir() {
         let call = Verb::Rescale.call_with_model().with_placeholder(Input::TargetMass, "KG");
         let call = call.with_placeholder(Input::OutputDir, "RESULTS");
-        let call = session.words.command(&call).replace("MODEL", &session.words.word(&shown));
+        let call = session.words.command(&Call { files: vec![shown.clone()], ..call });
         bail!("'{shown}' is a folder, expected a table (.csv or .xlsx); its models go with '{call}'");
     }
     let reader = RowReader::new(request).map_err(|fault| session.file_error(&fault))?;

@@ -152,26 +152,23 @@ fn show_models(survey: &Survey<'_>, format: SheetFormat, session: &mut Session) 
     Ok(shown)
 }
 
-/// The word in place of the models' names in calls that are shown, where there are many.
-const MODEL_PLACEHOLDER: &str = "MODEL";
-
 /// Calls to make next, shown once after all models. If no model has contacts, calls that add contacts.
 fn calls_to_make_next(session: &Session, models: &[PathBuf], has_contacts: bool) -> String {
-    let words = session.words;
-    let names: Vec<String> = models.iter().map(|path| words.word(&path.display().to_string())).collect();
-    let name = if names.len() > 3 { MODEL_PLACEHOLDER.to_owned() } else { names.join(" ") };
-    let command = |call: &Call| words.command(call).replacen(MODEL_PLACEHOLDER, &name, 1);
+    // Where there are many, they are not named.
+    let few = Some(models).filter(|models| models.len() <= 3).unwrap_or_default();
+    let files: Vec<String> = few.iter().map(|path| path.display().to_string()).collect();
+    let command = |call: Call| session.words.command(&Call { files: files.clone(), ..call });
     let mut rows = if has_contacts {
         let rescale = Verb::Rescale.call_with_model().with_placeholder(Input::TargetMass, "KG");
         let transfer = Verb::Transfer.call_with_model().with_placeholder(Input::From, "OTHER");
         vec![
-            (command(&Verb::Check.call_with_model()), "what to fix, and how"),
-            (command(&rescale), "scale its contacts to another mass"),
-            (command(&transfer), "take the contacts of a known model"),
+            (command(Verb::Check.call_with_model()), "what to fix, and how"),
+            (command(rescale), "scale its contacts to another mass"),
+            (command(transfer), "take the contacts of a known model"),
         ]
     } else {
         let add = Verb::Add.call_with_model().with_placeholder(Input::From, "OTHER");
-        vec![(command(&add), "give it the contacts of another model")]
+        vec![(command(add), "give it the contacts of another model")]
     };
     rows.push(("osim-contact-scale --help".to_owned(), "everything else"));
     let width = rows.iter().map(|(call, _)| call.chars().count()).max().unwrap_or_default();

@@ -39,15 +39,12 @@ pub struct CheckResult {
     pub commands: Vec<String>,
     /// The requests that [`commands`](Self::commands) spell.
     #[serde(skip)]
-    #[cfg_attr(feature = "schemas", schemars(skip))]
     pub steps: Vec<Request>,
     /// The codes of warnings and errors that were left out, because they follow from other findings.
     #[serde(skip)]
-    #[cfg_attr(feature = "schemas", schemars(skip))]
     pub left_out: BTreeSet<FindingCode>,
     /// The number of errors and warnings, minus that after all [`steps`](Self::steps).
     #[serde(skip)]
-    #[cfg_attr(feature = "schemas", schemars(skip))]
     pub corrected: usize,
     /// Sentences about the contacts beside measured feet.
     #[serde(skip)]
@@ -55,6 +52,9 @@ pub struct CheckResult {
     /// What else of the model follows its size, compared with the model that was scaled, if one is given.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub similarity: Option<SizeList>,
+    /// The file of the model that was scaled, if one is given.
+    #[serde(skip)]
+    pub scaled_from: Option<String>,
     /// Whether motion, contacts and plates agree, with a recording whose plates can be compared.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub consistency: Option<ConsistencyRecord>,
@@ -172,31 +172,24 @@ impl Counts {
     /// Counts findings by severity.
     fn of(findings: &[FindingWithRemedy]) -> Self {
         let count = |severity| findings.iter().filter(|finding| finding.severity == severity).count();
-        Self {
-            error: count(Severity::Error),
-            warning: count(Severity::Warning),
-            remark: count(Severity::Remark),
-        }
+        let [error, warning, remark] = [Severity::Error, Severity::Warning, Severity::Remark].map(count);
+        Self { error, warning, remark }
     }
 
     /// Counts only the findings of the worst severity that occurs; the other counts are 0.
     pub const fn only_worst(self) -> Self {
-        let Self { error, warning, remark } = self;
-        match (error, warning) {
-            (0, 0) => Self { error, warning, remark },
-            (0, _) => Self { error, warning, remark: 0 },
-            _ => Self { error, warning: 0, remark: 0 },
+        match (self.error, self.warning) {
+            (0, 0) => self,
+            (0, _) => Self { remark: 0, ..self },
+            _ => Self { warning: 0, remark: 0, ..self },
         }
     }
 
     /// The counts in words, such as `1 error, 2 warnings`; `none` if all counts are 0.
     pub fn describe(self, none: &str) -> String {
         let all = [(self.error, "error"), (self.warning, "warning"), (self.remark, "remark")];
-        let parts: Vec<String> = all
-            .into_iter()
-            .filter(|(count, _)| *count > 0)
-            .map(|(count, name)| counted(count, name))
-            .collect();
+        let some = all.into_iter().filter(|(count, _)| *count > 0);
+        let parts: Vec<String> = some.map(|(count, name)| counted(count, name)).collect();
         if parts.is_empty() { none.to_owned() } else { parts.join(", ") }
     }
 }
@@ -230,6 +223,7 @@ impl CheckResult {
             corrected: 0,
             beside_real_feet: inspected.beside_real_feet(),
             similarity: None,
+            scaled_from: inspected.placement.as_ref().map(|placement| placement.from.display().to_string()),
             consistency: None,
         }
     }
@@ -263,10 +257,19 @@ impl CheckResult {
         last.and_then(|last| self.steps.get(..=last)).unwrap_or_default()
     }
 
-    /// Writes all texts of the result in the words of a front end.
+    /// Writes all texts of the result in the words of a front end. Calls in texts about this model name its file.
     pub fn spell(&mut self, speller: &dyn FrontEnd) {
+        let found = self.findings.iter_mut().map(|one| &mut one.finding);
+        let texts = found.flat_map(|finding| [&mut finding.message, &mut finding.advice]);
+        let texts = texts.chain(self.verdicts.iter_mut().map(|verdict| &mut verdict.text));
+        // Standard input cannot be read again.
+        let named = texts.filter(|_| self.model != "-");
+        named.for_each(|text| text.name_files(&self.model, self.scaled_from.as_deref()));
         self.verdicts.iter_mut().for_each(|verdict| verdict.text.spell(speller));
-        self.findings.iter_mut().for_each(|finding| finding.spell(speller));
+        for found in &mut self.findings {
+            found.finding.spell(speller);
+            found.command = found.remedy.as_ref().map(|remedy| speller.request(remedy));
+        }
         self.commands = self.steps.iter().map(|step| speller.request(step)).collect();
     }
 }

@@ -5,7 +5,6 @@ use std::ops::Deref;
 use foldhash::HashMap;
 use osim_model::{Finding, FindingCode, Severity};
 use osim_requests::Request;
-use osim_requests::spell::FrontEnd;
 
 /// A finding about a model, and the request that corrects the fault. It derefs to its [`Finding`].
 #[derive(Debug, Clone, PartialEq)]
@@ -14,7 +13,7 @@ pub struct FindingWithRemedy {
     /// The request that corrects the finding; `None` for a remark, and if only the user can know what to write. It is one of the
     /// [`steps`](crate::CheckResult::steps) of the result, if the result has steps.
     pub remedy: Option<Request>,
-    /// The remedy as the command that the user types; `None` before [`spell`](Self::spell).
+    /// The remedy as the command that the user types; `None` before [`CheckResult::spell`](crate::CheckResult::spell).
     pub command: Option<String>,
 }
 
@@ -25,18 +24,13 @@ impl FindingWithRemedy {
     }
 
     /// The finding with the severity from the table of known contacts, and without a remedy, because the contacts were published like this.
+    /// A finding that stays worth seeing says so.
     pub(crate) fn with_published_severity(self, severity: Severity) -> Self {
         let mut finding = Finding { is_published: true, ..self.finding.with_severity(severity) };
         if !finding.is_as_published() {
             finding.message.push(", as published");
         }
         Self { finding, remedy: None, ..self }
-    }
-
-    /// Writes the texts and the remedy of the finding in the words of a front end.
-    pub fn spell(&mut self, speller: &dyn FrontEnd) {
-        self.finding.spell(speller);
-        self.command = self.remedy.as_ref().map(|remedy| speller.request(remedy));
     }
 }
 

@@ -231,7 +231,7 @@ fn percent_text([x, y, z]: [f64; 3]) -> String {
 rule! { pub(super) SPHERES_MISPLACED: SpheresMisplaced, Warning, Sizes;
     what: "Spheres do not fit their bones: no published model has them there, or only one of another size, or only on the other foot.",
     why: "OpenSim scaled the bones and left the spheres behind, the spheres were taken from a model of another size, or left and right were swapped. Then they push where the foot is not.",
-    advice: "See where each belongs with `check MODEL from=ORIGINAL`, where ORIGINAL is the model that was scaled: it gives the command that puts them there, if there is one",
+    advice: "Compare with the model that was scaled: `check MODEL from=ORIGINAL` says where each belongs, and gives the command that puts them there, if there is one",
     repair: Repair::NotPossible("it needs the model that was scaled, or the ScaleSet, and only you know where they are"),
     example: Example::Models { good: "check/known_contacts.osim", bad: "check/spheres_misplaced.osim" },
 }

@@ -293,6 +293,8 @@ pub enum Example {
 pub struct Call {
     pub verb: Verb,
     pub with_model: bool,
+    /// Names of the models' files, where they are known.
+    pub files: Vec<String>,
     pub inputs: Vec<(Input, Option<Example>)>,
 }
 
@@ -309,16 +311,22 @@ impl Verb {
 
     /// The verb as a call without inputs.
     pub const fn call(self) -> Call {
-        Call { verb: self, with_model: false, inputs: Vec::new() }
+        Call { verb: self, with_model: false, files: Vec::new(), inputs: Vec::new() }
     }
 
     /// The verb as a call that names a model.
     pub const fn call_with_model(self) -> Call {
-        Call { verb: self, with_model: true, inputs: Vec::new() }
+        Call { verb: self, with_model: true, files: Vec::new(), inputs: Vec::new() }
     }
 }
 
 impl Call {
+    /// The names of the models' files; `placeholder` where they are not known; none for a call without a model.
+    pub fn models_or<'c>(&'c self, placeholder: &'c str) -> impl Iterator<Item = &'c str> {
+        let is_unnamed = self.with_model && self.files.is_empty();
+        self.files.iter().map(String::as_str).chain(is_unnamed.then_some(placeholder))
+    }
+
     /// Adds an input to the call, with a placeholder for its value.
     pub fn with_placeholder(mut self, input: Input, placeholder: &'static str) -> Self {
         self.inputs.push((input, Some(Example::Placeholder(placeholder.into()))));

@@ -91,6 +91,20 @@ impl Phrase {
         }
     }
 
+    /// Names the file of the model in calls that have one, and in calls of `check` also the model it was scaled from, if there is one.
+    pub fn name_files(&mut self, model: &str, from: Option<&str>) {
+        for part in &mut self.0 {
+            if let PhrasePart::Call(call) = part
+                && call.with_model
+            {
+                call.files = vec![model.to_owned()];
+                let from = from.filter(|_| call.verb == Verb::Check);
+                let asked = call.inputs.iter_mut().filter(|(input, _)| *input == Input::From);
+                asked.zip(from).for_each(|((_, value), name)| *value = Some(Example::Value(name.to_owned())));
+            }
+        }
+    }
+
     /// Converts the phrase to plain text in the `dialect` of a front end. It has no inputs and calls any more.
     pub fn spell(&mut self, dialect: &dyn Dialect) {
         if self.0.iter().any(|part| !matches!(part, PhrasePart::Text(_))) {

@@ -58,7 +58,7 @@ impl Dialect for CommandLine {
             words.push(call.verb.name().to_owned());
         }
         words.extend(arguments(true));
-        words.extend(call.with_model.then(|| "MODEL".to_owned()));
+        words.extend(call.models_or("MODEL").map(|name| shell_quoted(&file_word(name))));
         let assignments = call.inputs.iter().filter(|(input, _)| is_assignment(call, *input));
         words.extend(assignments.map(|(input, example)| match example {
             Some(example) => format!("{}={example}", input.name()),

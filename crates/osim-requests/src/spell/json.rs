@@ -32,7 +32,7 @@ impl Dialect for JsonRequest {
 
     fn call(&self, call: &Call) -> String {
         let mut fields = vec![format!("\"verb\": \"{}\"", call.verb.name())];
-        fields.extend(model_field(call.verb).filter(|_| call.with_model));
+        fields.extend(call.models_or("model.osim").filter_map(|name| model_field(call.verb, name)));
         let field = |(input, example): &(Input, Option<Example>)| match example {
             None if !is_flag(*input) => format!("\"{}\": ...", input.name()),
             example => self.input(*input, example.as_ref()),
@@ -53,10 +53,10 @@ impl FrontEnd for JsonRequest {
 }
 
 /// The field with the model in requests of `verb`, as JSON: the first file that a call has without a name.
-fn model_field(verb: Verb) -> Option<String> {
+fn model_field(verb: Verb, name: &str) -> Option<String> {
     let mut options = verb_entry(verb).positional.iter().filter_map(|name| option_named(verb, name));
     let option = options.find(|option| option.takes == OptionValue::FileRead)?;
-    let model = if option.list == List::One { r#""model.osim""# } else { r#"["model.osim"]"# };
+    let model = if option.list == List::One { Value::from(name) } else { Value::from(vec![name]) };
     Some(format!("\"{}\": {model}", option.name))
 }
 

@@ -33,7 +33,7 @@ impl Dialect for Matlab {
         let inputs = &call.inputs;
         let first = inputs.iter().filter(|(input, _)| is_positional(*input));
         arguments.extend(first.filter_map(|(_, example)| example.as_ref().map(example_value)));
-        arguments.extend(call.with_model.then(|| matlab_quoted("model.osim")));
+        arguments.extend(call.models_or("model.osim").map(matlab_quoted));
         let set = inputs.iter().filter(|(input, _)| is_assignment(call, *input));
         let set: Vec<String> = set
             .filter_map(|(input, example)| {

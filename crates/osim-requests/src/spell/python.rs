@@ -46,7 +46,7 @@ impl Dialect for Python {
         arguments.extend(call.inputs.iter().filter_map(|(input, example)| {
             Some(example_value(example.as_ref().filter(|_| is_positional(*input))?))
         }));
-        arguments.extend(call.with_model.then(|| python_quoted("model.osim")));
+        arguments.extend(call.models_or("model.osim").map(|name| python_quoted(&file_word(name))));
         // A figure is saved by a method of its own.
         let is_saved = |input: &Input| call.verb == Verb::Plot && *input == Input::Output;
         let named = call.inputs.iter().filter(|(input, example)| !is_positional(*input) || example.is_none());

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use osim_inspect::{CheckResult, Counts};
-use osim_model::messages::{Input, Verb, counted, listed, one_line, shown_whole};
+use osim_model::messages::{Call, Input, Verb, counted, listed, one_line, shown_whole};
 use osim_model::{Finding, FindingCode, Severity};
 use osim_requests::options::OutputOptions;
 use osim_requests::spell::FrontEnd;
@@ -134,8 +134,8 @@ impl LibraryTable {
         let is_open = self.codes.keys().any(|(_, code)| *code == FindingCode::SpheresNotCompared);
         if is_open && self.call.from.is_none() {
             let call = Verb::Check.call_with_model().with_placeholder(Input::From, "GENERIC");
-            let name = if folder.is_empty() { "MODEL".to_owned() } else { words.word(&folder) };
-            let call = words.command(&call).replacen("MODEL", &name, 1);
+            let files = (!folder.is_empty()).then_some(folder).into_iter().collect();
+            let call = words.command(&Call { files, ..call });
             let what = format!("What to do: {call} compares each with the model that was scaled");
             text.push_str(&format!("\n{}", layout.wrapped(&what, "  ")));
         }
