@@ -94,6 +94,25 @@ fn calls_in_texts_name_the_files_of_this_check() {
     dir.run("explain spheres-misplaced --format json").says(&["check MODEL --from ORIGINAL says where"]);
 }
 
+/// How far a sphere is from its place is known in millimetres only where the original can be compared.
+#[test]
+fn the_worst_model_of_a_folder_is_chosen_among_sizes_of_one_unit() {
+    let dir = TestDir::with(&[
+        ("follows_size/generic.osim", "generic.osim"),
+        ("follows_size/scaled.osim", "scaled.osim"),
+        ("check/spheres_misplaced.osim", "other.osim"),
+    ]);
+    dir.run("transfer scaled.osim --from generic.osim --follow-bodies --level -o right.osim").succeeded();
+    let right = dir.text("right.osim");
+    let moved = right.replacen("<location>-0.0068000000000000005 ", "<location>-0.0038 ", 1);
+    assert_ne!(moved, right);
+    dir.write("moved.osim", moved);
+    for models in ["moved.osim other.osim", "other.osim moved.osim"] {
+        let out = dir.run(&format!("check {models} --from generic.osim")).failed().out();
+        assert!(out.contains("     2  warning  spheres-misplaced         3 mm, moved.osim\n"), "{out}");
+    }
+}
+
 /// The commands in what `check` printed, without the name of the program.
 fn printed_commands(out: &str) -> Vec<&str> {
     out.lines().filter_map(|line| line.strip_prefix("$ osim-contact-scale ")).collect()

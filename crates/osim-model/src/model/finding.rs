@@ -56,7 +56,7 @@ pub struct Finding {
 /// The size of the problem in a finding.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Measure {
-    /// The size as a number: larger is worse.
+    /// The size as a number: larger is worse. All sizes of a code that have words have the same unit; those without may have another one.
     pub size: f64,
     /// The size in a few words, with its unit; may be empty.
     pub text: String,

@@ -38,8 +38,9 @@ pub struct LibraryTable {
 #[derive(Debug, Default)]
 struct FoundInModels {
     models: usize,
-    /// The worst of these models: the size of the fault and the number of its places, this size in words or empty, and the model's name.
-    worst: ((f64, usize), String, String),
+    /// The worst of these models: whether the size of the fault has words, this size, and the number of its places; this size in words or
+    /// empty; and the model's name. Only sizes with words have the same unit in all models, so they count before others.
+    worst: ((bool, f64, usize), String, String),
 }
 
 /// The folder for results in a command that is proposed for many models, unless a folder of this name is there.
@@ -67,8 +68,9 @@ impl LibraryTable {
             let largest = Finding::largest_measure(alike.iter().map(|one| &one.finding));
             let (size, text) = largest.map_or((f64::NEG_INFINITY, ""), |one| (one.size, &one.text));
             let places = alike.iter().map(|one| one.paths().count().max(one.spheres.len())).sum::<usize>();
-            if kind.models == 1 || (size, places) > kind.worst.0 {
-                kind.worst = ((size, places), text.to_owned(), found.model.clone());
+            let worst = (!text.is_empty(), size, places);
+            if kind.models == 1 || worst > kind.worst.0 {
+                kind.worst = (worst, text.to_owned(), found.model.clone());
             }
         }
         if found.findings.iter().any(|finding| finding.code() == FindingCode::BareModel) {
@@ -172,14 +174,12 @@ impl LibraryTable {
     fn command(&self, models: &[PathBuf], folder: &Path) -> Option<Request> {
         let first = self.steps.first()?;
         let output = OutputOptions { output_dir: Some(folder.to_owned()), ..OutputOptions::default() };
-        let for_all = |steps: &[Request]| match steps {
-            [only] => {
-                let mut request = only.clone();
-                *request.models_mut()? = models.to_owned();
-                *request.output_mut()? = output.clone();
-                Some(request)
-            }
-            _ => None,
+        let for_all = |steps: &[Request]| {
+            let [only] = steps else { return None };
+            let mut request = only.clone();
+            *request.models_mut()? = models.to_owned();
+            *request.output_mut()? = output.clone();
+            Some(request)
         };
         let request = for_all(first);
         // A model that is right already stays as it is only where each gets its own steps.
