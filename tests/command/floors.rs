@@ -450,3 +450,33 @@ fn each_floor_error_in_a_published_model_is_named() {
     // 17 models in 11 ways; a pelvis is in 12 of them, and a <gravity> in 16.
     assert_eq!(damaged, 177);
 }
+
+#[test]
+fn nothing_is_levelled_along_a_gravity_that_points_out_of_the_floor() {
+    let dir = TestDir::with(&[
+        ("scale_tool/generic_smooth.osim", "generic.osim"),
+        ("scale_tool/scaled_smooth.osim", "scaled.osim"),
+    ]);
+    let scaled = dir.text("scaled.osim");
+    let (before, rest) = scaled.split_once("<gravity>").unwrap();
+    let (_, after) = rest.split_once("</gravity>").unwrap();
+    dir.write("up.osim", format!("{before}<gravity>0 9.81 0</gravity>{after}"));
+    let report = dir.run("check up.osim --from generic.osim --format json").out();
+    let report: Value = serde_json::from_str(&report).unwrap();
+    assert_eq!(report["commands"], Value::Array(Vec::new()));
+    // Gravity is down again: the command is there.
+    let right = dir.run("check scaled.osim --from generic.osim").out();
+    assert!(right.contains("transfer scaled.osim --from generic.osim --follow-bodies --level"), "{right}");
+    for call in [
+        "rescale up.osim --target-mass 70 --contacts-mass 62",
+        "transfer up.osim --from generic.osim --follow-bodies",
+    ] {
+        let run = dir.run(&format!("{call} --level -o out.osim")).failed().wrote_nothing();
+        assert!(run.err().contains("points out of the floor, not into it"), "{}", run.err());
+        // Without the option, spheres that follow bodies keep their lowest points, too.
+        let follows = call.contains("--follow-bodies");
+        assert_eq!(dir.run(&format!("{call} --dry-run")).err().contains("points out of"), follows);
+        dir.run(&format!("{call} --level --level-axis y -o out.osim")).succeeded();
+        std::fs::remove_file(dir.path("out.osim")).unwrap();
+    }
+}

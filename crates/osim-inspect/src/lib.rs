@@ -61,7 +61,8 @@ pub use plane_judgement::weight_share_on_floor;
 pub use quantity::Quantity;
 pub use reference_contacts::ReferenceContacts;
 pub use rules::{
-    describe_unmatched_patterns, find_misplaced_spheres, model_findings, rules, ways_within_hertz,
+    describe_unmatched_patterns, find_gravity_not_down, find_misplaced_spheres, model_findings, rules,
+    ways_within_hertz,
 };
 #[cfg(feature = "schemas")]
 pub use serialized::ObjectSchema;

@@ -230,9 +230,9 @@ fn describe_floor(inspected: &InspectedModel<'_>) -> Result<Phrase, Phrase> {
         count => format!("; {} more planes", count - 1),
     };
     let degrees = (surface.tilt_rad.to_degrees() * 100.0).round() / 100.0;
-    let name = if name == "floor" { "the floor".to_owned() } else { format!("the floor {name}") };
+    let floor = floors::floor_in_words(&plane.plane.name);
     let lies = if degrees == 0.0 { "is level".to_owned() } else { format!("is tilted by {degrees} degrees") };
-    Ok(format!("{name} {lies} and is fixed to {carrier}{others}").into())
+    Ok(format!("{floor} {lies} and is fixed to {carrier}{others}").into())
 }
 
 /// Describes how high the lowest sphere starts, and with which coordinate the body stands.

@@ -232,6 +232,11 @@ rule! { pub(crate) GRAVITY_NOT_DOWN: GravityNotDown, Error, Floor;
     example: Example::ElementText { tag: "gravity", good: "0 -9.81 0", bad: "0 9.81 0" },
 }
 
+/// A floor with its name, unless this says nothing more.
+pub(crate) fn floor_in_words(name: &str) -> String {
+    if name == "floor" { "the floor".to_owned() } else { format!("the floor {}", shown(name)) }
+}
+
 /// Components of a direction that are smaller than this are rounding errors.
 const ROUNDING: f64 = 1e-6;
 
@@ -242,9 +247,9 @@ pub(super) fn find_gravity_not_into_floor(model: &Model, judged: &JudgedPlane) -
     let down = surface.normal.map(|value| if value.abs() < ROUNDING { 0.0 } else { -value * size });
     let points = if degrees > UPSIDE_DOWN_DEGREES { "out of" } else { "along" };
     let text = format!(
-        "gravity is {} m/s2, which points {points} the floor {}, not into it; write <gravity>{}</gravity>",
+        "gravity is {} m/s2, which points {points} {}, not into it; write <gravity>{}</gravity>",
         model.gravity_m_s2.unwrap_or_default().map(readable).join(" "),
-        shown(&judged.plane.name),
+        floor_in_words(&judged.plane.name),
         down.to_array().map(readable).join(" "),
     );
     let finding = Finding::new(&GRAVITY_NOT_DOWN, text).with_position(model.gravity_position());

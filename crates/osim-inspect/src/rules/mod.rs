@@ -215,6 +215,11 @@ fn apply_side_rules(model: &Model) -> Vec<Finding> {
     findings
 }
 
+/// The finding that gravity does not point into a floor of `model`: then nothing says which way is up.
+pub fn find_gravity_not_down(model: &Model) -> Option<Finding> {
+    Floors::of(model).iter().find_map(|judged| floors::find_gravity_not_into_floor(model, judged))
+}
+
 /// Applies the rules about floors and about gravity towards them.
 pub(crate) fn apply_floor_rules(model: &Model, inspected: &Inspection, floors: &Floors) -> Vec<Finding> {
     let about_gravity = [

@@ -6,14 +6,16 @@ mod feet;
 use std::collections::HashMap;
 
 use contact_scaling::{Ratios, SmoothingValues};
+use osim_inspect::find_gravity_not_down;
 use osim_model::feet::{DefaultPose, PairsOfForce};
 use osim_model::messages::{Input, Phrase, listed, phrase, readable, shortest, three_significant};
 use osim_model::{
-    Class, Fault, FaultKind, Force, ForceKind, MissingFact, Model, Property, RadiusRule, Selected, SphereId,
+    Class, Fault, FaultKind, Force, ForceKind, LevelAxis, MissingFact, Model, Property, RadiusRule, Selected,
+    SphereId,
 };
 use osim_patch::{DanglingReference, ObjectAction, ObjectChange, Plan, RebuiltModel, dangling_references};
 use osim_requests::RequestFault;
-use osim_requests::options::OutputOptions;
+use osim_requests::options::{OutputOptions, ScalingOptions};
 
 pub(crate) use feet::{
     JointPositions, question_about_pad, question_about_scale, remark_on_leaning_planes, remark_on_limbs,
@@ -30,6 +32,29 @@ pub(crate) fn refuse_repetition(model: &Model, operation: &str, may_repeat: bool
         return Ok(());
     }
     Err(Fault::new(MissingFact::Repetition { operation: operation.to_owned() }))
+}
+
+/// The axis of `model` that points up, along which lowest points of spheres stay where they are.
+///
+/// # Errors
+/// Gravity does not point into the floor.
+pub(crate) fn up_axis(model: &Model) -> Result<LevelAxis, Fault> {
+    match find_gravity_not_down(model) {
+        None => Ok(LevelAxis::of_gravity(model.gravity_m_s2)),
+        Some(finding) => Err(Fault::refused(format!(
+            "{}. Lowest points stay where they are along gravity: correct it first, or give the axis that points up",
+            finding.message
+        ))),
+    }
+}
+
+/// The axis up, if the caller wants lowest points to stay.
+///
+/// # Errors
+/// Those of [`up_axis`], if the caller gives no axis.
+pub(crate) fn level_axis(scaling: &ScalingOptions, model: &Model) -> Result<Option<LevelAxis>, Fault> {
+    let axis = || scaling.level_axis.map_or_else(|| up_axis(model), |choice| Ok(choice.axis()));
+    scaling.level.then(axis).transpose()
 }
 
 /// The name of an operation for notes: the verb, and the factor of the radius if one is given.

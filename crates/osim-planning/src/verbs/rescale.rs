@@ -11,7 +11,7 @@ use osim_requests::{Acceleration, RequestFault, RescaleRequest, Result};
 
 use crate::opening::read_scale_file;
 use crate::prepared_change::PreparedChange;
-use crate::remarks::{operation_with_radius, refuse_repetition};
+use crate::remarks::{level_axis, operation_with_radius, refuse_repetition};
 
 /// Checks the request for all of its models, and reads the ScaleSet if the request names one.
 ///
@@ -77,7 +77,7 @@ pub(crate) fn prepare_with_factors(
         wanted.dissipation_by = scaling.dissipation();
         wanted.target_gravity_m_s2 = target_gravity_m_s2;
         wanted.contacts_gravity_m_s2 = scaling.contacts_gravity.map(Acceleration::get);
-        wanted.level = scaling.level_axis(model.gravity_m_s2);
+        wanted.level = level_axis(&scaling, model)?;
         wanted.bodies = bodies;
         let mut plan = rescale(model, &selected, &wanted)?;
         plan.name_operation(&operation);

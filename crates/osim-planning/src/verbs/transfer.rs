@@ -8,8 +8,8 @@ use osim_model::compare::{Factors, Follow, FollowRequest, OwnRadii, SpherePlacem
 use osim_model::files::{Failure, Files};
 use osim_model::messages::{Input, Verb, phrase};
 use osim_model::{
-    Anatomy, CountedSpheres, Fault, GravityFor, LevelAxis, MassRequest, MissingFact, Model, Property,
-    RadiusRule, Selected, Selection, Suspicion, YesQuestion, implausible_mass, moving_spheres,
+    Anatomy, CountedSpheres, Fault, GravityFor, MassRequest, MissingFact, Model, Property, RadiusRule,
+    Selected, Selection, Suspicion, YesQuestion, implausible_mass, moving_spheres,
 };
 use osim_patch::{OPERATION_FOLLOWING_BODIES, Plan, Reference, ScalingRule, Transfer, transfer};
 use osim_requests::options::{
@@ -22,7 +22,7 @@ use super::reference::{
 };
 use crate::opening::NamedSource;
 use crate::prepared_change::{Planner, PreparedChange};
-use crate::remarks::{operation_with_radius, refuse_repetition, remark_on_limbs};
+use crate::remarks::{level_axis, operation_with_radius, refuse_repetition, remark_on_limbs, up_axis};
 
 /// Checks the request and reads the reference once for all models.
 ///
@@ -270,7 +270,7 @@ impl TransferPlanner {
         wanted.dissipation_by = self.scaling.dissipation();
         wanted.target_gravity_m_s2 = self.target_gravity(model)?;
         wanted.rule = self.scaling_rule(follow.as_ref())?;
-        wanted.level = self.scaling.level_axis(model.gravity_m_s2);
+        wanted.level = level_axis(&self.scaling, model)?;
         wanted.follow = follow;
         let lengths = generic.and_then(|generic| model.joint_distances().ratio_to(&generic.bones));
         wanted.length_ratio = lengths.map(|(ratio, _)| ratio);
@@ -302,11 +302,11 @@ impl TransferPlanner {
         let scaled = Anatomy::of(model)?;
         let factors =
             Factors::find(&scaled, &generic.anatomy, generic.file.as_ref(), &self.follow.factors())?;
-        let (asked, up) =
-            (self.scaling.level_axis(model.gravity_m_s2), LevelAxis::of_gravity(model.gravity_m_s2));
+        let asked = level_axis(&self.scaling, model)?;
+        let kept = (asked.is_none() && self.keeps_bottoms).then(|| up_axis(model)).transpose()?;
         let mut wanted = FollowRequest {
             radius_axis: self.follow.radius_axis(),
-            level: asked.or(self.keeps_bottoms.then_some(up)),
+            level: asked.or(kept),
             spares_ellipsoids: asked.is_none(),
             moved: self.follow.rule_for_moved_spheres(),
             ..FollowRequest::default()

@@ -65,7 +65,8 @@ choices! {
 }
 
 impl AxisChoice {
-    fn axis(self) -> LevelAxis {
+    /// The axis that points up.
+    pub fn axis(self) -> LevelAxis {
         let (axis, down) = match self {
             Self::X => (Axis::X, false),
             Self::Y => (Axis::Y, false),
@@ -154,12 +155,6 @@ impl ScalingOptions {
         let all = PropertySet::default();
         let all = if friction { all.with_friction() } else { all };
         all.restricted(&self.only, &self.keep)
-    }
-
-    /// The axis up, if the lowest points of spheres are to stay; `gravity` is that of the model.
-    pub fn level_axis(&self, gravity: Option<[f64; 3]>) -> Option<LevelAxis> {
-        let axis = || self.level_axis.map_or_else(|| LevelAxis::of_gravity(gravity), AxisChoice::axis);
-        self.level.then(axis)
     }
 
     /// The rule for new radii, if one is given and it is not that radii follow bodies.
