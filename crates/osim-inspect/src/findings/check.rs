@@ -76,10 +76,12 @@ fn collect_findings(
     let causes = [MasslessBody, HeavyFoot, OutOfDomain, MisplacedObject, FootSphereOnGround];
     let floors_of_model = Floors::of(model);
     let about_floors = apply_floor_rules(model, inspected, &floors_of_model);
-    let mut severe_about_floors = about_floors.iter().filter(|finding| finding.severity > Severity::Remark);
-    let is_gravity_odd = severe_about_floors.any(|finding| finding.code() == OddGravity);
-    if has_loose_body || causes.into_iter().any(has_finding) || is_gravity_odd || are_numbers_exchanged(model)
-    {
+    let severe_about_floors = about_floors.iter().filter(|finding| finding.severity > Severity::Remark);
+    let severe_codes: Vec<FindingCode> = severe_about_floors.map(Finding::code).collect();
+    let is_gravity_odd = severe_codes.contains(&OddGravity);
+    let of_gravity = [GravityNotDown, GravityTooLarge, NoGravity, OddGravity];
+    let is_gravity_wrong = of_gravity.iter().any(|code| severe_codes.contains(code));
+    if has_loose_body || causes.into_iter().any(has_finding) || are_numbers_exchanged(model) {
         remedies = remedies.none_yet();
     }
     let places = SpherePlaces::of(model, inspected);
@@ -119,9 +121,9 @@ fn collect_findings(
     if !in_other_units && !has_finding(UnknownName) {
         findings.extend(apply_figure_rules(&FigureCheck::new(inspected, &remedies)));
     }
+    let makes_level = |remedy: &mut Request| matches!(remedy, Request::Set(set) if set.level);
     if [LeftRightDiffer, LeftRightPlaces, SpheresMisplaced].into_iter().any(has_finding) {
         // To make feet level would hide the wrong place or radius.
-        let makes_level = |remedy: &mut Request| matches!(remedy, Request::Set(set) if set.level);
         findings.iter_mut().for_each(|one| drop(one.remedy.take_if(makes_level)));
     }
     if findings.iter().any(|one| one.code() == LeftRightDiffer && one.remedy.is_none()) {
@@ -149,6 +151,14 @@ fn collect_findings(
     findings.extend(other_findings.iter().cloned().map(FindingWithRemedy::from));
     if has_finding(UnknownName) {
         findings.retain(|finding| !is_effect_of_misspelling(finding.code()));
+    }
+    // Spheres that move along a wrong gravity would be at wrong places afterwards.
+    let scales = |remedy: &mut Request| matches!(remedy, Request::Rescale(_) | Request::Transfer(_));
+    let needs_gravity = |remedy: &mut Request| is_gravity_odd || makes_level(remedy) || scales(remedy);
+    for one in findings.iter_mut().filter(|_| is_gravity_wrong) {
+        if one.remedy.take_if(needs_gravity).is_some() {
+            one.finding.message.push("; gravity has to be corrected first");
+        }
     }
     for remedy in findings.iter_mut().filter_map(|finding| finding.remedy.as_mut()) {
         confirm_suspicions(remedy, model, &options.masses);

@@ -76,3 +76,18 @@ fn spheres_follow_also_where_feet_become_more_uneven() {
     // It is not called right afterwards.
     assert_eq!(found.corrected, 0);
 }
+
+/// Along a wrong gravity, the lowest points would go to wrong places. Once gravity is right, the next check has the command.
+#[test]
+fn spheres_do_not_follow_along_a_wrong_gravity() {
+    let files = InMemory::from_iter([("generic.osim", read("generic_smooth.osim"))]);
+    let scaled = read("scaled_smooth.osim");
+    for gravity in ["0 9.81 0", "9.81 0 0", "8.4957 -4.905 0", "0 -9810 0", "0 -98.1 0", "0 0 0"] {
+        let wrong = scaled.replace("0 -9.8100000000000005 0", gravity);
+        let found = check_beside(&files, &wrong, &json!({}));
+        assert!(found.steps.is_empty(), "{gravity}: {:?}", found.steps);
+        let left = &find(&found, FindingCode::SpheresLeftBehind).message.to_string();
+        assert!(left.ends_with("; gravity has to be corrected first"), "{gravity}: {left}");
+    }
+    assert_eq!(check_beside(&files, &scaled, &json!({})).steps.len(), 1);
+}
