@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use osim_model::{FaultKind, Severity, Suspicion, YesQuestion};
 
-use crate::values::serial::{self, choices, fields};
+use crate::values::serial::{self, choices, fields, meanings};
 use crate::values::{Jobs, Shard, path};
 
 choices! {
@@ -35,13 +35,9 @@ choices! {
     }
 }
 
-impl Deny {
-    pub const fn severity(self) -> Severity {
-        match self {
-            Self::Warning => Severity::Warning,
-            Self::Error => Severity::Error,
-        }
-    }
+meanings! {
+    /// The least severity that is a failure.
+    Deny.severity: Severity { Warning => Severity::Warning, Error => Severity::Error }
 }
 
 fields! {

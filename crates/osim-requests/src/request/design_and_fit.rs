@@ -11,7 +11,7 @@ use crate::options::{
     WantedOptions,
 };
 use crate::request::inspect::AngleChoice;
-use crate::values::serial::{choices, fields};
+use crate::values::serial::{choices, fields, meanings};
 use crate::values::{ContactOnset, Count, PoissonRatio, Positive, RelativeIndentation, Signed, path};
 
 fields! {
@@ -140,56 +140,25 @@ choices! {
     }
 }
 
-impl BranchChoice {
-    pub const fn branch(self) -> FittedBranch {
-        match self {
-            Self::Both => FittedBranch::Both,
-            Self::Loading => FittedBranch::Loading,
-            Self::Unloading => FittedBranch::Unloading,
-        }
+meanings! {
+    /// The part of the measurement that is fitted.
+    BranchChoice.branch: FittedBranch {
+        Both => FittedBranch::Both,
+        Loading => FittedBranch::Loading,
+        Unloading => FittedBranch::Unloading,
     }
-}
 
-impl LengthUnit {
     /// Length of the unit in m.
-    pub const fn metres(self) -> f64 {
-        match self {
-            Self::M => 1.0,
-            Self::Mm => 1e-3,
-            Self::Um => 1e-6,
-        }
-    }
-}
+    LengthUnit.metres: f64 { M => 1.0, Mm => 1e-3, Um => 1e-6 }
 
-impl ForceUnit {
     /// Size of the unit in N.
-    pub const fn newtons(self) -> f64 {
-        match self {
-            Self::Newton => 1.0,
-            Self::Kilonewton => 1e3,
-            Self::Millinewton => 1e-3,
-        }
-    }
-}
+    ForceUnit.newtons: f64 { Newton => 1.0, Kilonewton => 1e3, Millinewton => 1e-3 }
 
-impl SpeedUnit {
     /// Size of the unit in m/s.
-    pub const fn metres_per_second(self) -> f64 {
-        match self {
-            Self::MetresPerSecond => 1.0,
-            Self::MillimetresPerSecond => 1e-3,
-        }
-    }
-}
+    SpeedUnit.metres_per_second: f64 { MetresPerSecond => 1.0, MillimetresPerSecond => 1e-3 }
 
-impl TimeUnit {
     /// Size of the unit in s.
-    pub const fn seconds(self) -> f64 {
-        match self {
-            Self::S => 1.0,
-            Self::Ms => 1e-3,
-        }
-    }
+    TimeUnit.seconds: f64 { S => 1.0, Ms => 1e-3 }
 }
 
 impl DesignRequest {

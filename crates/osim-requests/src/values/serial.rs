@@ -156,6 +156,19 @@ macro_rules! choices {
 }
 pub(crate) use choices;
 
+/// Gives enums that [`choices`] declared a method that says what each of their words means to the program.
+macro_rules! meanings {
+    ($($(#[doc = $doc:literal])+ $name:ident.$method:ident: $type:ty { $($variant:ident => $value:expr),+ $(,)? })+) => {$(
+        impl $name {
+            $(#[doc = $doc])+
+            pub const fn $method(self) -> $type {
+                match self { $(Self::$variant => $value),+ }
+            }
+        }
+    )+};
+}
+pub(crate) use meanings;
+
 /// Declares structs whose fields are the options of a request, under the names that JSON has for them. `field: ..Group` has
 /// the options of another such struct. After `as` comes the type that reads and writes the field, after `=` its value in a request
 /// that does not name it, and after `where` the relations between options.
