@@ -29,10 +29,8 @@ where
     }
     let fields: Map<String, Value> = fields.into_iter().filter(|(_, value)| !value.is_null()).collect();
     check_fields(&fields, relations, checked)?;
-    match serde_json::from_value(Value::Object(fields.clone())) {
-        Ok(request) => Ok(request),
-        Err(error) => Err(fault_of_bad_value::<T>(&fields, &error)),
-    }
+    serde_json::from_value(Value::Object(fields.clone()))
+        .map_err(|error| fault_of_bad_value::<T>(&fields, &error))
 }
 
 /// Checks the relations between the fields of a request that was made as a struct: fields that differ from their defaults count as given.

@@ -127,13 +127,11 @@ impl ScalingOptions {
         let never =
             self.only.iter().find(|p| matches!(p, Property::StaticFriction | Property::DynamicFriction));
         if let Some(property) = never {
-            return Err(RequestFault::refused(
-                Input::Only,
-                phrase![
-                    Input::Only.with_value(property.as_str()),
-                    ": it has no dimension, so it is the same at every size; change it with set",
-                ],
-            ));
+            let message = phrase![
+                Input::Only.with_value(property.as_str()),
+                ": it has no dimension, so it is the same at every size; change it with set",
+            ];
+            return Err(RequestFault::refused(Input::Only, message));
         }
         let properties = self.properties();
         if Property::changeable().all(|property| !properties.contains(property)) {
@@ -147,11 +145,8 @@ impl ScalingOptions {
     /// for.
     pub fn properties(&self) -> PropertySet {
         // Naming a friction property among those that change asks for it.
-        let friction = self.friction
-            || self
-                .only
-                .iter()
-                .any(|p| matches!(p, Property::TransitionVelocity | Property::ViscousFriction));
+        let asks = |p: &Property| matches!(p, Property::TransitionVelocity | Property::ViscousFriction);
+        let friction = self.friction || self.only.iter().any(asks);
         let all = PropertySet::default();
         let all = if friction { all.with_friction() } else { all };
         all.restricted(&self.only, &self.keep)

@@ -122,13 +122,9 @@ impl SweepRequest {
                 ]);
             }
             if (has(quantity) || given) && has(AxisName::Property(property)) {
-                return refused(
-                    format!(
-                        "{} and {property} both say what {property} is: leave one out",
-                        quantity.as_str()
-                    )
-                    .into(),
-                );
+                let name = quantity.as_str();
+                let message = format!("{name} and {property} both say what {property} is: leave one out");
+                return refused(message.into());
             }
         }
         Ok(())

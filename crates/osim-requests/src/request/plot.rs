@@ -130,9 +130,8 @@ impl PlotRequest {
             return Ok(());
         }
         if !self.is_of_paper() && self.models.is_empty() {
-            return Err(RequestFault::general(
-                "nothing to draw: name a model, or a preset such as falisse2022",
-            ));
+            let why = "nothing to draw: name a model, or a preset such as falisse2022";
+            return Err(RequestFault::general(why));
         }
         Ok(())
     }

@@ -63,12 +63,10 @@ impl FrontEnd for Python {
     /// output file, the call writes it.
     fn request(&self, request: &Request) -> String {
         let fields = Fields::of(request);
-        let written: Vec<String> =
-            keyword_arguments(fields.in_group(FieldGroup::Output).filter(|(name, _)| name == "output"))
-                .collect();
+        let output = fields.in_group(FieldGroup::Output).filter(|(name, _)| name == "output");
+        let written = python_arguments(keyword_arguments(output));
         let writes = plans_one_model(&fields) && !written.is_empty();
-        let write =
-            if writes { format!(".write({})", python_arguments(written.into_iter())) } else { String::new() };
+        let write = if writes { format!(".write({written})") } else { String::new() };
         format!("{}{write}", call_of(&fields))
     }
 
@@ -135,14 +133,10 @@ fn positional_arguments(verb: Verb, (name, value): &Field) -> Vec<String> {
 
 /// The lines of a script that write a plan, or only print it.
 fn lines_for_plan(fields: &Fields) -> Vec<String> {
+    let written = python_arguments(keyword_arguments(fields.in_group(FieldGroup::Output)));
     let mut lines = vec![match fields.option("dry_run") {
         Some(_) => PRINT_RESULT.to_owned(),
-        None => {
-            format!(
-                "result.write({})",
-                python_arguments(keyword_arguments(fields.in_group(FieldGroup::Output)))
-            )
-        }
+        None => format!("result.write({written})"),
     }];
     if fields.option("diff").is_some() {
         lines.push("print(result.diff())".to_owned());
@@ -250,9 +244,7 @@ pub fn python_quoted(text: &str) -> String {
             '\n' => literal.push_str("\\n"),
             '\r' => literal.push_str("\\r"),
             '\t' => literal.push_str("\\t"),
-            control if control.is_control() => {
-                literal.push_str(&format!("\\u{:04x}", u32::from(control)));
-            }
+            control if control.is_control() => literal.push_str(&format!("\\u{:04x}", u32::from(control))),
             plain => literal.push(plain),
         }
     }
