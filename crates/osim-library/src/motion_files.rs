@@ -48,9 +48,8 @@ impl MotionFiles {
         for (input, path) in [(Input::Output, output), (Input::Correct, correct)] {
             if let Some(path) = path.filter(|path| !is_table(path)) {
                 let path = path.display().to_string();
-                return Err(LibraryFault::new(
-                    phrase!["{} '{}': expected a name that ends in .sto or .mot"; input, path],
-                ));
+                let why = phrase!["{} '{}': expected a name that ends in .sto or .mot"; input, path];
+                return Err(LibraryFault::new(why));
             }
             let folders = [&request.moco, &request.nmsm].into_iter().flatten().map(PathBuf::as_path);
             path.map_or(Ok(()), |path| require_folder_of(path, folders))?;

@@ -74,10 +74,8 @@ pub fn require_folder_of<'p>(path: &Path, results: impl IntoIterator<Item = &'p 
     let is_missing = folder.try_exists().is_ok_and(|there| !there);
     let is_of_results = || results.into_iter().any(|result| resolved(result).starts_with(resolved(folder)));
     if is_missing && !is_of_results() {
-        return Err(LibraryFault::new(format!(
-            "the folder {} is not there: make it first",
-            folder.display()
-        )));
+        let folder = folder.display();
+        return Err(LibraryFault::new(format!("the folder {folder} is not there: make it first")));
     }
     Ok(())
 }

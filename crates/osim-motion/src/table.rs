@@ -145,9 +145,8 @@ impl Table {
         let mut lines =
             text.lines().enumerate().skip(end + 1).filter(|(_, line)| !line.trim_ascii().is_empty());
         let Some((above, names)) = lines.next() else {
-            return Err(MotionFault::new(
-                "nothing follows its line `endheader`: the names of its columns are missing",
-            ));
+            let why = "nothing follows its line `endheader`: the names of its columns are missing";
+            return Err(MotionFault::new(why));
         };
         let mut names = split_names(names).into_iter();
         let first = names.next().unwrap_or_default();

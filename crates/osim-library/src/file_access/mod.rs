@@ -211,12 +211,8 @@ fn open_for_reading(path: &Path, kinds: FileKinds) -> Result<(File, Metadata), R
     if kinds == FileKinds::Ordinary && system::is_device_name(path) {
         return Err(ReadRefusal::Kind("a device"));
     }
-    let file = match options.open(path) {
-        Err(error) => {
-            return Err(system::name_of_unopenable_kind(path).map_or(error.into(), ReadRefusal::Kind));
-        }
-        Ok(file) => file,
-    };
+    let kind = || system::name_of_unopenable_kind(path);
+    let file = options.open(path).map_err(|error| kind().map_or(error.into(), ReadRefusal::Kind))?;
     let metadata = file.metadata()?;
     check_kind(&metadata, kinds)?;
     Ok((file, metadata))

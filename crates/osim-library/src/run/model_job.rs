@@ -408,10 +408,8 @@ impl PlannedModel {
     pub fn write(&self, output: &OutputOptions) -> Result<(WrittenOutput, Vec<String>)> {
         let task = self.task_for(output);
         if task.destination == ResultDestination::Stdout {
-            return Err(LibraryFault::new(phrase![
-                "this model cannot go to standard output: name a file with ",
-                Input::Output,
-            ]));
+            let why = phrase!["this model cannot go to standard output: name a file with ", Input::Output];
+            return Err(LibraryFault::new(why));
         }
         let from_memory = self.is_from_memory();
         let request = RunRequest { from_memory, ..RunRequest::new(self.change.verb, vec![task]) };

@@ -83,9 +83,8 @@ impl<'r> RowReader<'r> {
             return Ok(CheckedRows::Invalid(wrong));
         }
         if tasks.is_empty() {
-            return Err(LibraryFault::new(format!(
-                "{name}: no rows below the first one, which names the columns"
-            )));
+            let why = format!("{name}: no rows below the first one, which names the columns");
+            return Err(LibraryFault::new(why));
         }
         let extra_files = request.manifest.iter().cloned().collect();
         let force = request.output.force;

@@ -95,14 +95,8 @@ pub(super) struct StageProblem<'s> {
 impl<'s> StageProblem<'s> {
     /// The problem for the contacts in `slopes`, which were read along the motion after the corrections `read_at`.
     pub(super) fn new(setting: &'s CorrectionInputs<'s>, slopes: Vec<FootSlopes>, read_at: Vec<f64>) -> Self {
-        let sizes = correction_sizes(setting, &slopes);
-        Self {
-            setting,
-            slopes,
-            read_at,
-            stage: Stage { soft_m: 0.0, transition: 1.0, has_two_floors: false },
-            sizes,
-        }
+        let stage = Stage { soft_m: 0.0, transition: 1.0, has_two_floors: false };
+        Self { setting, sizes: correction_sizes(setting, &slopes), slopes, read_at, stage }
     }
 
     /// Calls `take` with the residuals of each foot in each frame; without `slopes`, rows have no derivatives.

@@ -102,8 +102,7 @@ pub(super) fn find_coordinates(
         let moved: Vec<(usize, usize)> = moved.enumerate().filter(|(_, count)| *count > 0).collect();
         let is_in_foot = |&(foot, count): &(usize, usize)| count < feet[foot].pairs.len();
         if coordinate.locked {
-            let names = moved.iter().any(is_in_foot).then(|| coordinate.name.clone());
-            locked_in_feet.extend(names);
+            locked_in_feet.extend(moved.iter().any(is_in_foot).then(|| coordinate.name.clone()));
             continue;
         }
         let all = || feet.iter().flat_map(|foot| &foot.pairs).flat_map(|&pair| moves(pair));

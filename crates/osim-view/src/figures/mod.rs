@@ -105,9 +105,7 @@ fn drawing_of_bodies(request: &PlotRequest, bodies: &[ContactBody], title: Optio
             let (quantity, fall) = (request.heat.quantity, &request.fall);
             return heat(bodies, quantity, fall, values(stiffness), values(dissipation), title);
         }
-        Some(PlotKind::Fig1) => {
-            return Err(Failure::outside("Fig. 1", "plot", no_fig1()));
-        }
+        Some(PlotKind::Fig1) => return Err(Failure::outside("Fig. 1", "plot", no_fig1())),
         Some(PlotKind::Fig4) => fig4(title)?,
         Some(PlotKind::FigC5) => fig_c5(title)?,
         _ => contact_force(bodies, units, limits, title)?,
