@@ -138,7 +138,8 @@ macro_rules! parameter {
 }
 
 /// A [`Function`](super::Function): `name(argument: SYMBOL, another: SYMBOL = 1.0) -> what it gives, "the function of
-/// contact-scaling", value`. With `[rule]` in front it also takes the rule by which two surfaces make one modulus.
+/// contact-scaling", value`; `module::function` alone is called with the arguments as they are. With `[rule]` in front it also takes
+/// the rule by which two surfaces make one modulus.
 macro_rules! function {
     ([$rule:ident] $name:ident $arguments:tt -> $returns:expr, $computes:literal, $value:expr) => {
         function!(@of $name, $arguments, $returns, $computes, true,
@@ -148,7 +149,12 @@ macro_rules! function {
         function!(@of $name, $arguments, $returns, $computes, false,
             |_, values| function!(@value values, $arguments, $value))
     };
-    (@of $name:ident, ($($argument:ident: $symbol:ident $(= $default:literal)?),+), $returns:expr, $computes:literal,
+    ($name:ident($($argument:ident: $symbol:ident $(= $default:literal)?),+) -> $returns:expr, $module:ident::$of:ident) => {
+        function!(@of $name, ($($argument: $symbol $(= $default)?),+), $returns,
+            concat!(stringify!($module), "::", stringify!($of)), false,
+            |_, values| function!(@value values, ($($argument: $symbol),+), $module::$of($($argument),+)?))
+    };
+    (@of $name:ident, ($($argument:ident: $symbol:ident $(= $default:literal)?),+), $returns:expr, $computes:expr,
         $takes_rule:literal, $call:expr) => {
         $crate::scaling::Function {
             name: stringify!($name),

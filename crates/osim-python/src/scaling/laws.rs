@@ -39,15 +39,11 @@ pub(super) const HERTZ: &[Function] = &[
         -> Value(F_C), "HuntCrossley::force",
         hunt_crossley(composite_modulus, radius, shape_factor, dissipation)?.force(indentation, speed)),
     function!(mean_stress(force: F_C, radius: R, relative_indentation: X_HAT)
-        -> Value(SIGMA), "patch::mean_stress",
-        patch::mean_stress(force, radius, relative_indentation)?),
-    function!(patch_radius(indentation: X, radius: R) -> Value(PATCH_RADIUS), "patch::radius",
-        patch::radius(indentation, radius)?),
-    function!(patch_diameter(indentation: X, radius: R) -> Value(PATCH_DIAMETER), "patch::diameter",
-        patch::diameter(indentation, radius)?),
+        -> Value(SIGMA), patch::mean_stress),
+    function!(patch_radius(indentation: X, radius: R) -> Value(PATCH_RADIUS), patch::radius),
+    function!(patch_diameter(indentation: X, radius: R) -> Value(PATCH_DIAMETER), patch::diameter),
     function!(relative_patch_radius(relative_indentation: X_HAT)
-        -> Value(RELATIVE_PATCH_RADIUS), "patch::relative_radius",
-        patch::relative_radius(relative_indentation)?),
+        -> Value(RELATIVE_PATCH_RADIUS), patch::relative_radius),
     function!(hertz_stiffness(composite_modulus: E, radius: R, indentation: X, shape_factor: ETA = 1.0)
         -> Value(K), "Hertz::stiffness",
         hertz(composite_modulus, radius, shape_factor)?.stiffness(indentation)),
@@ -75,19 +71,14 @@ fn hunt_crossley(
 
 pub(super) const RESTITUTION: &[Function] = &[
     function!(approximate_restitution(dissipation: ALPHA, impact_speed: IMPACT)
-        -> Value(C_R), "restitution::approximate",
-        restitution::approximate(dissipation, impact_speed)?),
+        -> Value(C_R), restitution::approximate),
     function!(dissipation_for_restitution(restitution: C_R, impact_speed: IMPACT)
-        -> Value(ALPHA), "restitution::dissipation",
-        restitution::dissipation(restitution, impact_speed)?),
+        -> Value(ALPHA), restitution::dissipation),
     function!(exact_restitution(dissipation: ALPHA, impact_speed: IMPACT)
-        -> Value(C_EXACT), "restitution::exact",
-        restitution::exact(dissipation, impact_speed)?),
+        -> Value(C_EXACT), restitution::exact),
     function!(dissipation_for_exact_restitution(restitution: C_EXACT, impact_speed: IMPACT)
-        -> Value(ALPHA), "restitution::exact_dissipation",
-        restitution::exact_dissipation(restitution, impact_speed)?),
-    function!(drop_speed(gravity: G, radius: R) -> Value(IMPACT), "restitution::drop_speed",
-        restitution::drop_speed(gravity, radius)?),
+        -> Value(ALPHA), restitution::exact_dissipation),
+    function!(drop_speed(gravity: G, radius: R) -> Value(IMPACT), restitution::drop_speed),
 ];
 
 // What is wanted of a contact: (11), (B.2) to (B.5), and the modulus for a dimensionless stiffness.
@@ -100,8 +91,7 @@ pub(super) const STIFFNESS: &[Function] = &[
         -> Value(X_HAT), "design::relative_indentation",
         design::relative_indentation(composite_modulus, radius, &SharedLoad::new(load, sphere_count)?)?),
     function!(composite_modulus_for_stiffness(stiffness: K, radius: R, relative_indentation: X_HAT)
-        -> Value(E), "design::composite_modulus_for_stiffness",
-        design::composite_modulus_for_stiffness(stiffness, radius, relative_indentation)?),
+        -> Value(E), design::composite_modulus_for_stiffness),
     function!(radius_for_stiffness(stiffness: K, relative_indentation: X_HAT, load: F, sphere_count: N)
         -> Value(R), "design::radius_for_stiffness",
         design::radius_for_stiffness(stiffness, relative_indentation, &SharedLoad::new(load, sphere_count)?)?),
@@ -109,31 +99,24 @@ pub(super) const STIFFNESS: &[Function] = &[
         -> Value(K_HAT), "stiffness::dimensionless",
         stiffness::dimensionless(stiffness, radius, &SharedLoad::new(load, sphere_count)?)?),
     function!(dimensionless_hertz_stiffness(relative_indentation: X_HAT)
-        -> Value(K_HAT), "stiffness::dimensionless_hertz",
-        stiffness::dimensionless_hertz(relative_indentation)?),
+        -> Value(K_HAT), stiffness::dimensionless_hertz),
     function!(natural_frequency(stiffness: K, mass_on_sphere: M_ON_SPHERE)
-        -> Value(F_N), "stiffness::natural_frequency",
-        stiffness::natural_frequency(stiffness, mass_on_sphere)?),
+        -> Value(F_N), stiffness::natural_frequency),
     function!(equilibrium_frequency(relative_indentation: X_HAT_EQ, radius: R, gravity: G)
-        -> Value(F_N_EQ), "stiffness::equilibrium_frequency",
-        stiffness::equilibrium_frequency(relative_indentation, radius, gravity)?),
+        -> Value(F_N_EQ), stiffness::equilibrium_frequency),
     function!(modulus_ratio(first_dimensionless_stiffness: K_HAT_A, second_dimensionless_stiffness: K_HAT_B)
-        -> Factor(E), "continuation::modulus_ratio",
-        continuation::modulus_ratio(first_dimensionless_stiffness, second_dimensionless_stiffness)?),
+        -> Factor(E), continuation::modulus_ratio),
 ];
 
 // Moduli of surfaces: appendix A, and what Simbody and Johnson make of two unlike ones.
 
 pub(super) const SURFACES: &[Function] = &[
     function!(plane_strain_modulus_of_material(youngs_modulus: YOUNG, poissons_ratio: POISSON)
-        -> Value(E_1), "modulus::plane_strain",
-        modulus::plane_strain(youngs_modulus, poissons_ratio)?),
+        -> Value(E_1), modulus::plane_strain),
     function!(composite_modulus_by_johnson(first_modulus: E_1, second_modulus: E_2)
-        -> Value(E), "modulus::composite_johnson",
-        modulus::composite_johnson(first_modulus, second_modulus)?),
+        -> Value(E), modulus::composite_johnson),
     function!(composite_modulus_by_sherman(first_modulus: E_1, second_modulus: E_2)
-        -> Value(E), "modulus::composite_sherman",
-        modulus::composite_sherman(first_modulus, second_modulus)?),
+        -> Value(E), modulus::composite_sherman),
     function!([rule] plane_strain_modulus_of_equal_surfaces(composite_modulus: E)
         -> Value(E_1), "modulus::of_equal_surfaces",
         modulus::of_equal_surfaces(composite_modulus, rule)?),
@@ -141,8 +124,7 @@ pub(super) const SURFACES: &[Function] = &[
         -> Value(E), "modulus::composite_of_equal",
         modulus::composite_of_equal(plane_strain_modulus, rule)?),
     function!(stiffness_on_rigid_ground(youngs_modulus: YOUNG, poissons_ratio: POISSON)
-        -> Value(E_1), "modulus::stiffness_on_rigid_ground",
-        modulus::stiffness_on_rigid_ground(youngs_modulus, poissons_ratio)?),
+        -> Value(E_1), modulus::stiffness_on_rigid_ground),
     function!(mixed_dissipation(
             first_modulus: E_1, first_dissipation: ALPHA_1, second_modulus: E_2, second_dissipation: ALPHA_2)
         -> Value(ALPHA), "modulus::mixed_dissipation",
@@ -151,8 +133,7 @@ pub(super) const SURFACES: &[Function] = &[
             SurfaceValues { plane_strain_modulus: second_modulus, dissipation: second_dissipation },
         )?),
     function!(composite_radius(first_radius: R_1, second_radius: R_2)
-        -> Value(R_TWO), "modulus::composite_radius",
-        modulus::composite_radius(first_radius, second_radius)?),
+        -> Value(R_TWO), modulus::composite_radius),
 ];
 
 // The factors of OpenSim's properties from one animal to another: (8) to (10), (14), (C.2), (C.5), (C.10), friction.
@@ -228,8 +209,7 @@ pub(super) const SMOOTH: &[Function] = &[
         SmoothSphere::new(Hertz::sphere(1.0, 1.0)?, dissipation, SmoothingValues { hunt_crossley_smoothing, ..UNUSED })?
             .speed_state(speed)),
     function!(speed_state_at_rest(dissipation: ALPHA, hunt_crossley_smoothing: BV)
-        -> Value(SPEED_STATE), "smoothing::speed_state_at_rest",
-        smoothing::speed_state_at_rest(dissipation, hunt_crossley_smoothing)?),
+        -> Value(SPEED_STATE), smoothing::speed_state_at_rest),
     function!(smooth_rest_force(
             composite_modulus: E, radius: R, dissipation: ALPHA, constant_contact_force: CF, hertz_smoothing: BD,
             hunt_crossley_smoothing: BV, indentation: X, shape_factor: ETA = 1.0)
@@ -254,31 +234,22 @@ const UNUSED: SmoothingValues =
 
 pub(super) const SMOOTHING: &[Function] = &[
     function!(constant_contact_force_for_indentation(constant_relative_indentation: X_HAT_C, radius: R)
-        -> Value(CF), "smoothing::constant_contact_force",
-        smoothing::constant_contact_force(constant_relative_indentation, radius)?),
+        -> Value(CF), smoothing::constant_contact_force),
     function!(constant_relative_indentation(constant_contact_force: CF, radius: R)
-        -> Value(X_HAT_C), "smoothing::constant_indentation",
-        smoothing::constant_indentation(constant_contact_force, radius)?),
+        -> Value(X_HAT_C), smoothing::constant_indentation),
     function!(hertz_smoothing_for_radius(dimensionless_hertz_smoothing: B_X, radius: R)
-        -> Value(BD), "smoothing::hertz_smoothing",
-        smoothing::hertz_smoothing(dimensionless_hertz_smoothing, radius)?),
+        -> Value(BD), smoothing::hertz_smoothing),
     function!(threshold_indentation(threshold: T, hertz_smoothing: BD, radius: R)
-        -> Value(X_HAT_T), "smoothing::threshold_indentation",
-        smoothing::threshold_indentation(threshold, hertz_smoothing, radius)?),
+        -> Value(X_HAT_T), smoothing::threshold_indentation),
     function!(transition_width(threshold: T, hertz_smoothing: BD, radius: R)
-        -> Value(WIDTH), "smoothing::transition_width",
-        smoothing::transition_width(threshold, hertz_smoothing, radius)?),
+        -> Value(WIDTH), smoothing::transition_width),
     function!(hertz_smoothing_for_width(threshold: T, transition_width: WIDTH, radius: R)
-        -> Value(BD), "smoothing::hertz_smoothing_for_width",
-        smoothing::hertz_smoothing_for_width(threshold, transition_width, radius)?),
+        -> Value(BD), smoothing::hertz_smoothing_for_width),
     function!(hunt_crossley_smoothing_for_radius(reduced_hunt_crossley_smoothing: B_V, radius: R)
-        -> Value(BV), "smoothing::hunt_crossley_smoothing",
-        smoothing::hunt_crossley_smoothing(reduced_hunt_crossley_smoothing, radius)?),
+        -> Value(BV), smoothing::hunt_crossley_smoothing),
     function!(hunt_crossley_smoothing_for_speed_width(threshold: T, speed_width: SPEED_WIDTH)
-        -> Value(BV), "smoothing::hunt_crossley_smoothing_for_speed_width",
-        smoothing::hunt_crossley_smoothing_for_speed_width(threshold, speed_width)?),
+        -> Value(BV), smoothing::hunt_crossley_smoothing_for_speed_width),
     function!(hunt_crossley_smoothing_for_reduced_width(
             threshold: T, reduced_speed_width: REDUCED_WIDTH, radius: R)
-        -> Value(BV), "smoothing::hunt_crossley_smoothing_for_reduced_width",
-        smoothing::hunt_crossley_smoothing_for_reduced_width(threshold, reduced_speed_width, radius)?),
+        -> Value(BV), smoothing::hunt_crossley_smoothing_for_reduced_width),
 ];
