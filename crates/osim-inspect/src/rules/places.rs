@@ -232,7 +232,7 @@ rule! { pub(super) SPHERES_MISPLACED: SpheresMisplaced, Warning, Sizes;
     what: "Spheres do not fit their bones: no published model has them there, or only one of another size, or only on the other foot.",
     why: "OpenSim scaled the bones and left the spheres behind, the spheres were taken from a model of another size, or left and right were swapped. Then they push where the foot is not.",
     advice: "Compare with the model that was scaled: `check MODEL from=ORIGINAL` says where each belongs, and gives the command that puts them there, if there is one",
-    repair: Repair::NotPossible("it needs the model that was scaled, or the ScaleSet, and only you know where they are"),
+    repair: Repair::Command("places spheres again that are more than a radius off, where the model that was scaled is named"),
     example: Example::Models { good: "check/known_contacts.osim", bad: "check/spheres_misplaced.osim" },
 }
 

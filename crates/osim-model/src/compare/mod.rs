@@ -88,6 +88,9 @@ pub struct PlacedSphere {
     pub follows: bool,
     /// Whether place and radius are equal to those in the unscaled model.
     untouched: bool,
+    /// Whether the radius is equal to that in the unscaled model.
+    has_old_radius: bool,
+    radius_m: f64,
     /// Whether the place is equal to the place in the unscaled model.
     pub stayed: bool,
 }
@@ -166,9 +169,13 @@ impl SpherePlacements {
         self.spheres.iter().any(|sphere| !sphere.follows && sphere.stayed)
     }
 
-    /// Whether a transfer can place all spheres: each has its unscaled place, and its radius is unscaled or written by this program.
+    /// Whether a transfer can place all spheres: the radius of each is unscaled or written by this program, and each stayed, is at its
+    /// right place, or is farther from it than its radius. Another radius, or a place nearby, may be meant.
     pub fn can_follow(&self) -> bool {
-        let is_movable = |sphere: &PlacedSphere| sphere.untouched || (self.noted_radii && sphere.stayed);
+        let is_movable = |sphere: &PlacedSphere| {
+            let is_far = sphere.distance_m() > sphere.radius_m;
+            (sphere.has_old_radius || self.noted_radii) && (sphere.stayed || sphere.follows || is_far)
+        };
         self.is_wrong() && self.unmatched.is_empty() && self.spheres.iter().all(is_movable)
     }
 
@@ -267,6 +274,8 @@ fn placed_spheres(
             follows: expected_m.into_iter().any(|place_m| is_at(place_m, tolerance_m))
                 || (!stayed && is_of_radius_between()),
             untouched: now.is_as_in(old),
+            has_old_radius: now.has_radius_of(old),
+            radius_m: now.radius_m,
             stayed,
         }
     });

@@ -7,6 +7,7 @@ use osim_model::files::InMemory;
 use osim_model::{FileId, FindingCode, Model};
 use osim_planning::{Inspector, open_with, prepare};
 use osim_requests::Request;
+use osim_requests::options::MovedChoice;
 use serde_json::{Value, json};
 
 use crate::checks::{find, has, with_text_replaced};
@@ -90,4 +91,22 @@ fn spheres_do_not_follow_along_a_wrong_gravity() {
         assert!(left.ends_with("; gravity has to be corrected first"), "{gravity}: {left}");
     }
     assert_eq!(check_beside(&files, &scaled, &json!({})).steps.len(), 1);
+}
+
+#[test]
+fn heels_that_were_moved_far_down_are_placed_again_by_the_command() {
+    let scaled = read("scaled_smooth.osim");
+    let low = ["0.005", "-0.005"].into_iter().fold(scaled, |text, side| {
+        let heel = format!("<location>-0.01 -0.040000000000000001 {side}");
+        assert_eq!(text.matches(&heel).count(), 1);
+        text.replace(&heel, &format!("<location>-0.01 -0.16 {side}"))
+    });
+    let files = InMemory::from_iter([("generic.osim", read("generic_smooth.osim"))]);
+    let found = check_beside(&files, &low, &json!({}));
+    let Some(Request::Transfer(command)) = &find(&found, FindingCode::SpheresMisplaced).remedy else {
+        panic!("{found:?}")
+    };
+    assert_eq!(command.follow.moved_spheres, Some(MovedChoice::Replace));
+    let left = check_beside(&files, &after_command(&files, &low, &found), &json!({}));
+    assert!(!has(&left, FindingCode::SpheresMisplaced) && !has(&left, FindingCode::SpheresLeftBehind));
 }

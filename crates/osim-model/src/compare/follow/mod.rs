@@ -219,11 +219,14 @@ fn moved_sphere(
 impl AnatomySphere {
     /// Whether a sphere of a scaled model has the same place and radius as the sphere of the `generic` model.
     pub(crate) fn is_as_in(&self, generic: &Self) -> bool {
-        let limit_m = LARGEST_SHIFT_OF_UNTOUCHED_RADII * generic.radius_m;
-        let place_limit_m = limit_m.max(self.rounding_m);
+        let place_limit_m = (LARGEST_SHIFT_OF_UNTOUCHED_RADII * generic.radius_m).max(self.rounding_m);
         let mut axes = self.location_m.iter().zip(generic.location_m);
-        axes.all(|(here, was)| (here - was).abs() <= place_limit_m)
-            && (self.radius_m - generic.radius_m).abs() <= limit_m
+        axes.all(|(here, was)| (here - was).abs() <= place_limit_m) && self.has_radius_of(generic)
+    }
+
+    /// Whether a sphere of a scaled model has the radius of the sphere of the `generic` model.
+    pub(crate) fn has_radius_of(&self, generic: &Self) -> bool {
+        (self.radius_m - generic.radius_m).abs() <= LARGEST_SHIFT_OF_UNTOUCHED_RADII * generic.radius_m
     }
 }
 
