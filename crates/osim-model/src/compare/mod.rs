@@ -194,8 +194,9 @@ impl PlacedSphere {
 
 /// Whether the note says that this program scaled the radii, and nobody has changed them since.
 fn has_radii_of_note(model: &Model) -> bool {
-    let rescaled = |note: &Note| note.steps.last().and_then(Step::verb) == Some(Verb::Rescale);
-    model.note.as_ref().is_some_and(rescaled) && model.doubt_about_note().is_none()
+    let scales =
+        |note: &Note| matches!(note.steps.last().and_then(Step::verb), Some(Verb::Rescale | Verb::Transfer));
+    model.note.as_ref().is_some_and(scales) && model.doubt_about_note().is_none()
 }
 
 /// A remark on each sphere that is in only one of the models, or on different bodies: its right place is not known.

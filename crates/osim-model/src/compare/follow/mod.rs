@@ -149,10 +149,9 @@ impl Follow {
         factors: &Factors,
         request: &FollowRequest,
     ) -> Result<Self> {
-        let mut spheres = BTreeMap::new();
+        let (mut spheres, mut moved) = (BTreeMap::new(), Vec::new());
         let (mut logarithms, mut count, mut is_placed) = (0.0, 0.0, false);
         refuse_unmatched_spheres(model, wanted, generic)?;
-        refuse_moved_spheres(model, wanted, scaled, generic, request.moved)?;
         for &id in wanted {
             let (Some(now), Some(own)) = (scaled.spheres.get(id.index()), model.sphere(id)) else {
                 continue;
@@ -176,14 +175,24 @@ impl Follow {
             let [x, y, z] = body_factors;
             logarithms += libm::log(x * y * z) / 3.0;
             count += 1.0;
-            let place = if request.moved == MovedSpheres::Keep && !now.is_as_in(old) {
+            let is_changed = !now.is_as_in(old);
+            let place = if request.moved == MovedSpheres::Keep && is_changed {
                 let (radius_m, location_m) = (now.radius_m, now.location_m);
                 FollowedSphere { old_radius_m: old.radius_m, radius_m, location_m }
             } else {
                 is_placed = true;
                 moved_sphere(now, old, body_factors, level, request)
             };
+            // After a transfer they are at their right places.
+            let followed =
+                AnatomySphere { radius_m: place.radius_m, location_m: place.location_m, ..now.clone() };
+            if request.moved == MovedSpheres::Refuse && is_changed && !now.is_as_in(&followed) {
+                moved.push(now.name.clone());
+            }
             spheres.insert(id, place);
+        }
+        if !moved.is_empty() {
+            return Err(Fault::new(MissingFact::MovedSpheres { model: model.name.clone(), spheres: moved }));
         }
         let size_ratio = if count > 0.0 { libm::exp(logarithms / count) } else { 1.0 };
         let has_radii_of_bodies = !request.keep_radii && request.own_radii.is_none();
@@ -246,26 +255,6 @@ fn refuse_unmatched_spheres(model: &Model, wanted: &[SphereId], generic: &Anatom
         unmatched.join(", "),
         if reference_names.is_empty() { "none".to_owned() } else { reference_names.join(", ") }
     )))
-}
-
-fn refuse_moved_spheres(
-    model: &Model,
-    wanted: &[SphereId],
-    scaled: &Anatomy,
-    generic: &Anatomy,
-    moved: MovedSpheres,
-) -> Result<()> {
-    if moved != MovedSpheres::Refuse {
-        return Ok(());
-    }
-    let is_changed = |now: &&AnatomySphere| generic.sphere(&now.name).is_some_and(|old| !now.is_as_in(old));
-    let changed = wanted.iter().filter_map(|&id| scaled.spheres.get(id.index())).filter(is_changed);
-    let spheres: Vec<String> = changed.map(|now| now.name.clone()).collect();
-    if spheres.is_empty() {
-        return Ok(());
-    }
-
-    Err(Fault::new(MissingFact::MovedSpheres { model: model.name.clone(), spheres }))
 }
 
 /// The factors of all bodies of a model against a reference: new lengths over old lengths.
