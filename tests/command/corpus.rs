@@ -159,3 +159,15 @@ fn a_transfer_from_the_preset_reproduces_the_published_contacts() {
         );
     }
 }
+
+/// Moco's front spheres sink in to their centres as published. Kept stiffness under four times the mass is another fault.
+#[test]
+fn a_published_remark_excuses_no_error_in_the_result() {
+    let Some(folder) = corpus_folder("a_published_remark_excuses_no_error_in_the_result") else { return };
+    let dir = dir_with_model(&folder, "v40000_moco_2d_gait.osim");
+    let call = "model.osim --target-mass 250 --keep stiffness --level -o out.osim";
+    let run = dir.run(call).failed().wrote_nothing();
+    assert!(run.err().contains("the model would be wrong afterwards [sunk-in]"), "{}", run.err());
+    let out = dir.run(&format!("{call} --yes wrong-afterwards")).succeeded().out();
+    assert!(out.contains("error: in the new model: "), "{out}");
+}

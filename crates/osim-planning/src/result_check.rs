@@ -184,21 +184,24 @@ impl PreparedChange {
     /// The findings `after` a change. Each is marked if the model had it `before`, or the reference has it.
     fn mark_known(&self, before: &[FindingWithRemedy], after: &[FindingWithRemedy]) -> Vec<Finding> {
         let index = FindingIndex::new(before);
-        // Contacts that no longer are those of a publication are not worse.
-        let keeps_contacts = self.reference.is_none();
-        let had = |one: &FindingWithRemedy| {
+        let was_same = |one: &FindingWithRemedy, was: &FindingWithRemedy| match was.code() == one.code() {
             // A finding with another code in the same place is not new, either.
-            let was = index.find_same_or_other_depth(one);
-            let is_known = |code| code != one.code() || index.has_all_places(one);
-            was.filter(|was| is_known(was.code())).is_some_and(|was| match was.code() == one.code() {
-                false => was.rule.severity >= one.rule.severity,
-                // Masses differ in another way where other numbers are said.
-                true if one.code() == FindingCode::MassSourcesDisagree => was.message == one.message,
-                true => was.severity >= one.severity || (was.is_published && keeps_contacts),
-            })
+            false => was.rule.severity >= one.rule.severity,
+            // Masses differ in another way where other numbers are said.
+            true if one.code() == FindingCode::MassSourcesDisagree => was.message == one.message,
+            true => was.severity >= one.severity,
+        };
+        let is_of = |one: &FindingWithRemedy, reference: &FindingWithRemedy| {
             // An error of the reference is new in a model that has none.
-            || (one.severity < Severity::Error
-                && self.findings_of_reference().iter().any(|was| was.code() == one.code() && was.severity >= one.severity))
+            one.severity < Severity::Error
+                && reference.code() == one.code()
+                && reference.severity >= one.severity
+        };
+        let had = |one: &FindingWithRemedy| {
+            let is_known = |code| code != one.code() || index.has_all_places(one);
+            let was = index.find_same_or_other_depth(one).filter(|was| is_known(was.code()));
+            was.is_some_and(|was| was_same(one, was))
+                || self.findings_of_reference().iter().any(|reference| is_of(one, reference))
         };
         let judged = |one: &FindingWithRemedy| Finding { had_before: had(one), ..one.finding.clone() };
         after.iter().map(judged).collect()
