@@ -1,22 +1,15 @@
 //! Each kind of damage to the places of spheres in published models gives a finding.
 
 use std::collections::BTreeSet;
-use std::io::Write;
-use std::path::PathBuf;
 
 use osim_inspect::{find_misplaced_spheres, model_findings};
-use osim_model::files::{CompanionPaths, Files, InMemory, ModelFiles};
 use osim_model::{Finding, FindingCode, Model, Side};
+
+use crate::{corpus_folder, moco_3d_walking};
 
 /// Published models with spheres on bodies of both sides, with their names; empty if the corpus is absent.
 fn published_models() -> Vec<(String, String)> {
-    let Some(folder) = std::env::var_os("OSIM_CORPUS").map(PathBuf::from).filter(|folder| folder.is_dir())
-    else {
-        // Straight to the terminal: the test harness keeps what a passing test prints to itself.
-        let line = b"skipped: damaged places: OSIM_CORPUS is not set to the folder of real models\n";
-        std::io::stderr().write_all(line).unwrap();
-        return Vec::new();
-    };
+    let Some(folder) = corpus_folder("damaged places") else { return Vec::new() };
     let paths = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
     let mut found: Vec<(String, String)> = paths
         .filter_map(|path| {
@@ -152,18 +145,7 @@ fn shorter_bones_under_published_spheres_are_named() {
 
 #[test]
 fn a_published_toe_joint_that_does_not_follow_its_meshes_is_of_no_other_size() {
-    let Some(folder) = std::env::var_os("OSIM_CORPUS").map(PathBuf::from) else {
-        eprintln!("skipped: Moco's toe joint: OSIM_CORPUS is not set to the folder of real models");
-        return;
-    };
+    let Some(folder) = corpus_folder("Moco's toe joint") else { return };
     // Its meshes are 1.156 times as long as OpenSim's foot, its toe joint is where OpenSim's is.
-    let moco = |end: &str| folder.join(format!("v40600_moco_3d_walking_{end}"));
-    let (forces, geometry, body) =
-        (moco("ContactForceSet.xml"), moco("ContactGeometrySet.xml"), moco("model_without_contacts.osim"));
-    let files: InMemory =
-        [&forces, &geometry, &body].into_iter().map(|path| (path, std::fs::read(path).unwrap())).collect();
-    let beside = CompanionPaths { geometry: Some(&geometry), model: Some(&body) };
-    let opened =
-        ModelFiles::read(&forces, files.read(&forces).unwrap(), beside, &files).unwrap().open().unwrap();
-    assert_eq!(find_misplaced_spheres(&opened.model), None);
+    assert_eq!(find_misplaced_spheres(&moco_3d_walking(&folder)), None);
 }

@@ -1,12 +1,12 @@
 //! Left and right: damage on one side gives a finding, and right models get no such finding.
 
 use std::collections::BTreeSet;
-use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use osim_inspect::{BothSides, model_findings};
-use osim_model::files::{CompanionPaths, Files, InMemory, ModelFiles};
 use osim_model::{Finding, FindingCode, Model, Severity, Side};
+
+use crate::{corpus_folder, moco_3d_walking};
 
 /// A model with two legs of four bodies. The calcaneus has a heel sphere and a ball sphere, whose own frame is turned; the toes have
 /// spheres, too.
@@ -476,25 +476,9 @@ fn codes_of_models_in(folder: &Path) -> Vec<(String, BTreeSet<FindingCode>)> {
 
 #[test]
 fn no_published_model_gets_a_finding_about_its_sides() {
-    let Some(folder) = std::env::var_os("OSIM_CORPUS").map(PathBuf::from).filter(|folder| folder.is_dir())
-    else {
-        // Straight to the terminal: the test harness keeps what a passing test prints to itself.
-        let line =
-            b"skipped: sides of published models: OSIM_CORPUS is not set to the folder of real models\n";
-        std::io::stderr().write_all(line).unwrap();
-        return;
-    };
+    let Some(folder) = corpus_folder("sides of published models") else { return };
     let mut found = codes_of_models_in(&folder);
-    // Two sets, with the model that they are for.
-    let moco = |end: &str| folder.join(format!("v40600_moco_3d_walking_{end}"));
-    let (forces, geometry, body) =
-        (moco("ContactForceSet.xml"), moco("ContactGeometrySet.xml"), moco("model_without_contacts.osim"));
-    let files: InMemory =
-        [&forces, &geometry, &body].into_iter().map(|path| (path, std::fs::read(path).unwrap())).collect();
-    let beside = CompanionPaths { geometry: Some(&geometry), model: Some(&body) };
-    let opened =
-        ModelFiles::read(&forces, files.read(&forces).unwrap(), beside, &files).unwrap().open().unwrap();
-    found.push(("moco_3d_walking".to_owned(), codes_of_findings(&opened.model)));
+    found.push(("moco_3d_walking".to_owned(), codes_of_findings(&moco_3d_walking(&folder))));
     assert!(found.len() >= 16, "{} models with contacts", found.len());
     let accused: Vec<_> = found.iter().filter(|(_, codes)| !codes.is_empty()).collect();
     // A kicker, whose right foot alone has spheres.
